@@ -1,0 +1,97 @@
+"""Frequency: how often regions occur within another (Bao et al. 2013, section 5.1, frequency)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from collections.abc import Sequence as ListOf
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from layoutkit.constraints.attributes import MEASURE, PATH, REGIONS, attribute
+from layoutkit.constraints.checking import LayoutView
+from layoutkit.constraints.constraint import Constraint
+from layoutkit.constraints.references import unknown_composite, unknown_names
+from layoutkit.constraints.word_rules import Bound, Counts, WordRule
+from layoutkit.diagnostics import Diagnostic
+from layoutkit.model import Facade, Measure, RegionSet, Violation
+from layoutkit.sizing.arrangement import AXIS
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+
+@dataclass(frozen=True, kw_only=True)
+class Frequency(Constraint):
+    """Limits how often regions of a set occur within an encompassing region."""
+
+    kind: ClassVar[str] = "frequency"
+    summary: ClassVar[str] = (
+        "Between min and max regions of the set occur in each region within: symbols count its direct "
+        "subregions, labels any placed region inside it."
+    )
+
+    of: RegionSet = attribute(REGIONS, "The regions that count: symbols of direct subregions, and @labels.")
+    within: str = attribute(PATH, "Path of the encompassing region.")
+    min: Measure | None = attribute(
+        MEASURE, "Least count; a percentage is of the input's count, and grows with the region's size.", None
+    )
+    max: Measure | None = attribute(MEASURE, "Greatest count, in the same way.", None)
+
+    def faults(self, facade: Facade) -> Iterator[Diagnostic]:
+        """Yield unknown names, and ranges with nothing in them."""
+        yield from (unknown := list(unknown_composite(self, self.within, facade)))
+        if unknown:
+            return
+        yield from unknown_names(self, self.of, facade, self.within)
+        least, most = self.ends(facade) if self.within in facade.places else (None, None)
+        if least is not None and most is not None and least.relative == most.relative and least.value > most.value:
+            yield Diagnostic(
+                "LK202",
+                f"the least count is above the greatest: {self.min} > {self.max}",
+                self.place,
+                "exchange min and max, or widen one of them",
+                topic="frequency",
+            )
+
+    def counted(self, facade: Facade) -> frozenset[str]:
+        """Return the symbol paths of the regions that count."""
+        return frozenset(facade.select(self.of, self.within))
+
+    def ends(self, facade: Facade) -> tuple[Bound, Bound]:
+        """Return the range; percentages of the count in the input's first such region."""
+        first = facade.places[self.within][0].path
+        inside = [p for path in self.counted(facade) for p in facade.places[path]]
+        count = sum(placed.path.startswith(f"{first}/") for placed in inside)
+        least, most = (
+            Bound(default, False) if end is None else Bound(end.of(count), end.relative)
+            for end, default in ((self.min, 0.0), (self.max, math.inf))
+        )
+        return least, most
+
+    @classmethod
+    def word_rules(cls, constraints: ListOf[Self], facade: Facade) -> Iterator[WordRule]:
+        """Yield a count for each."""
+        for constraint in constraints:
+            yield Counts(
+                constraint.within, constraint.counted(facade), *constraint.ends(facade), (constraint,)
+            )
+
+    def violations(self, view: LayoutView) -> Iterator[Violation]:
+        """Yield every encompassing region with too few or too many."""
+        source = view.facade.regions[self.within]
+        axis = AXIS[source.split or "columns"]
+        least, most = self.ends(view.facade)
+        counted = [p for path in self.counted(view.facade) for p in view.places(path)]
+        for placed in view.places(self.within):
+            growth = (placed.region.width, placed.region.height)[axis] / (source.width, source.height)[axis]
+            count = sum(p.path.startswith(f"{placed.path}/") for p in counted)
+            low, high = least.at(growth), most.at(growth)
+            amount = max(low - count, count - high)
+            if amount > COUNT_TOLERANCE * max(1.0, count):
+                shown = f"has {count} of {self.of}, not between {low:g} and {high:g}"
+                yield Violation(self, placed.path, shown, amount)
+
+
+#: A relative bound is a product of floats: a count this near to it keeps it.
+COUNT_TOLERANCE = 1e-6

@@ -1,0 +1,63 @@
+"""Cross-references of constraints: the names that they use must exist in the facade."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from layoutkit.constraints.constraint import Constraint
+from layoutkit.diagnostics import Diagnostic, did_you_mean
+from layoutkit.model import Facade, RegionSet, Word
+
+
+def unknown_names(
+    constraint: Constraint, regions: RegionSet, facade: Facade, within: str | None = None
+) -> Iterator[Diagnostic]:
+    """Yield a diagnostic for every name in `regions` that the facade, or the region `within`, lacks."""
+    for name in regions.names():
+        if name.startswith("@"):
+            if name[1:] not in facade.labels:
+                yield _unknown(constraint, "label", name[1:], facade.labels)
+        elif within is not None and "/" not in name:
+            if f"{within}/{name}" not in facade.regions:
+                children = {child.symbol for child in facade.regions[within].children}
+                yield _unknown(constraint, f"symbol in {within}", name, children)
+        elif name not in facade.regions:
+            yield _unknown(constraint, "region", name, facade.regions)
+
+
+def unknown_path(constraint: Constraint, path: str, facade: Facade) -> Iterator[Diagnostic]:
+    """Yield a diagnostic if there is no region of that path."""
+    if path not in facade.regions:
+        yield _unknown(constraint, "region", path, facade.regions)
+
+
+def unknown_composite(constraint: Constraint, path: str, facade: Facade) -> Iterator[Diagnostic]:
+    """Yield a diagnostic if there is no composite region of that path."""
+    yield from unknown_path(constraint, path, facade)
+    if path in facade.regions and facade.regions[path].terminal:
+        yield Diagnostic(
+            "LK205",
+            f"{constraint.kind} speaks of the arrangement of {path}, which is a terminal",
+            constraint.place,
+            "name a region that has a split",
+            topic="reference",
+        )
+
+
+def unknown_in_word(constraint: Constraint, word: Word, within: str, facade: Facade) -> Iterator[Diagnostic]:
+    """Yield a diagnostic for every name in a word that no direct child of `within` goes by."""
+    children = facade.regions[within].children
+    known = {child.symbol for child in children} | {f"@{name}" for child in children for name in child.labels}
+    for name in (name for regions in word.sets for name in regions.names()):
+        if name not in known:
+            yield _unknown(constraint, f"direct subregion of {within}", name, known)
+
+
+def _unknown(constraint: Constraint, what: str, name: str, known: Iterable[str]) -> Diagnostic:
+    return Diagnostic(
+        "LK201",
+        f"{constraint.kind} names the {what} {name!r}, which is not there",
+        constraint.place,
+        did_you_mean(name, known),
+        topic="reference",
+    )

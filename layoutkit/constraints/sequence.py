@@ -1,0 +1,105 @@
+"""Sequences: which arrangements a composite region may have (Bao et al. 2013, section 5.1, sequences)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from collections.abc import Sequence as ListOf
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from layoutkit.constraints.attributes import PATH, WORD, attribute
+from layoutkit.constraints.checking import LayoutView
+from layoutkit.constraints.constraint import Constraint
+from layoutkit.constraints.covering import Covering, Piece
+from layoutkit.constraints.references import unknown_composite, unknown_in_word
+from layoutkit.constraints.word_rules import Admits, WordRule
+from layoutkit.diagnostics import Diagnostic
+from layoutkit.model import Facade, Region, Violation, Word
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sequence(Constraint):
+    """A list of regions that may appear together, in that order, as part of an arrangement."""
+
+    kind: ClassVar[str] = "sequence"
+    summary: ClassVar[str] = (
+        "All sequences of a region together say which arrangements are valid: those that a chain of "
+        "instantiations covers, each next one overlapping the one before in at least one subregion. A region "
+        "without sequences keeps the input's arrangement."
+    )
+
+    within: str = attribute(PATH, "Path of the composite region.")
+    word: Word = attribute(
+        WORD, "Symbols, @labels and {sets} of direct subregions, with a leading ⊢ or trailing ⊣ for its ends."
+    )
+
+    def faults(self, facade: Facade) -> Iterator[Diagnostic]:
+        """Yield unknown names."""
+        yield from (unknown := list(unknown_composite(self, self.within, facade)))
+        if not unknown:
+            yield from unknown_in_word(self, self.word, self.within, facade)
+
+    def piece(self, region: Region) -> Piece:
+        """Return the sequence as sets of symbols of the region's children."""
+        names = {c.symbol: frozenset({c.symbol, *(f"@{n}" for n in c.labels)}) for c in region.children}
+        sets = tuple(
+            frozenset(symbol for symbol, own in names.items() if regions.contains(own))
+            for regions in self.word.sets
+        )
+        return Piece(sets, self.word.at_start, self.word.at_end)
+
+    @classmethod
+    def word_rules(cls, constraints: ListOf[Self], facade: Facade) -> Iterator[WordRule]:
+        """Yield one automaton for each region that has sequences."""
+        for path in dict.fromkeys(c.within for c in constraints):
+            own = tuple(c for c in constraints if c.within == path)
+            pieces = tuple(c.piece(facade.regions[path]) for c in own)
+            yield Admits(path, Covering(pieces), own)
+
+    def violations(self, view: LayoutView) -> Iterator[Violation]:
+        """Yield every arrangement that no chain of the region's sequences covers; the first one reports."""
+        own = [c for c in view.facade.constraints if isinstance(c, Sequence) and c.within == self.within]
+        if own[0] is not self:
+            return
+        pieces = [c.piece(view.facade.regions[self.within]) for c in own]
+        for placed in view.places(self.within):
+            if not covered(placed.region.word, pieces):
+                word = " ".join(placed.region.word)
+                yield Violation(self, placed.path, f"no chain of its sequences covers {word!r}", 1.0)
+
+
+def covered(word: tuple[str, ...], pieces: ListOf[Piece]) -> bool:
+    """Tell whether a chain of instantiations covers the whole word, from ⊢ to ⊣.
+
+    Written for checking, from the definition: ends[p] says that some chain from the start ends with an
+    instantiation whose last position is p.
+    """
+    framed = ("⊢", *word, "⊣")
+    spelled = [
+        ((frozenset("⊢"),) if p.at_start else ()) + p.sets + ((frozenset("⊣"),) if p.at_end else ())
+        for p in pieces
+    ]
+    reached = {
+        len(sets) - 1
+        for piece, sets in zip(pieces, spelled, strict=True)
+        if piece.at_start and _fits(framed, 0, sets)
+    }
+    pending = list(reached)
+    while pending:
+        end = pending.pop()
+        for sets in spelled:
+            # A common subregion is needed: neither ⊢ nor ⊣ is one.
+            for start in range(max(1, end - len(sets) + 2), min(end, len(word)) + 1):
+                last = start + len(sets) - 1
+                if last not in reached and _fits(framed, start, sets):
+                    reached.add(last)
+                    pending.append(last)
+    return len(framed) - 1 in reached
+
+
+def _fits(framed: tuple[str, ...], start: int, sets: tuple[frozenset[str], ...]) -> bool:
+    inside = start + len(sets) <= len(framed)
+    return inside and all(framed[start + i] in allowed for i, allowed in enumerate(sets))

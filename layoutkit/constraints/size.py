@@ -1,0 +1,96 @@
+"""Size: how large a region may be along its parent's split (Bao et al. 2013, section 5.1, region size)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import ClassVar
+
+from layoutkit.constraints.attributes import MEASURE, REGIONS, attribute
+from layoutkit.constraints.checking import LayoutView
+from layoutkit.constraints.constraint import Constraint
+from layoutkit.constraints.references import unknown_names
+from layoutkit.diagnostics import Diagnostic
+from layoutkit.model import Facade, Measure, RegionSet, Violation
+from layoutkit.sizing.arrangement import AXIS, Arrangement
+from layoutkit.sizing.rules import Range, SizeRule, Target
+
+
+@dataclass(frozen=True, kw_only=True)
+class Size(Constraint):
+    """The width of a column, the height of a row: bounds, and where in them variations begin."""
+
+    kind: ClassVar[str] = "size"
+    summary: ClassVar[str] = (
+        "The regions' size along their parent's split lies between min and max; variations start from sizes "
+        "drawn from a normal distribution, truncated to that range."
+    )
+
+    of: RegionSet = attribute(REGIONS, "The regions, as paths and @labels.")
+    min: Measure | None = attribute(MEASURE, "Least size, absolute or as a share of the input's.", None)
+    max: Measure | None = attribute(MEASURE, "Greatest size, absolute or as a share of the input's.", None)
+    centre: Measure = attribute(MEASURE, "Mean of the initial sizes.", Measure(1.0, relative=True))
+    deviation: Measure = attribute(
+        MEASURE, "Standard deviation of the initial sizes; 0 always starts from the centre.", Measure(0.05, True)
+    )
+
+    def faults(self, facade: Facade) -> Iterator[Diagnostic]:
+        """Yield unknown names, and bounds that cross."""
+        unknown = list(unknown_names(self, self.of, facade))
+        yield from unknown
+        if unknown:
+            return
+        for path in facade.select(self.of):
+            least, most = self.bounds(facade, path)
+            if least > most:
+                yield Diagnostic(
+                    "LK202",
+                    f"the least size of {path} is above its greatest: {least:g} > {most:g}",
+                    self.place,
+                    "exchange min and max, or widen one of them",
+                    topic="sizing",
+                )
+
+    def bounds(self, facade: Facade, path: str) -> tuple[float, float]:
+        """Return least and greatest size of the region at `path`; 0 and infinity where none is given."""
+        size = input_size(facade, path)
+        least = self.min.of(size) if self.min is not None else 0.0
+        return least, self.max.of(size) if self.max is not None else float("inf")
+
+    def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
+        """Yield a range and a target for each symbol: its occurrences are replicas."""
+        facade = arrangement.facade
+        for path in facade.select(self.of):
+            if path not in arrangement.frames:
+                continue
+            axis, size = axis_of(facade, path), input_size(facade, path)
+            least, most = self.bounds(facade, path)
+            form = arrangement.extent(path, axis)
+            yield Range(axis, form, least, most, self)
+            yield Target(axis, form, self.centre.of(size), self.deviation.of(size), least, most)
+
+    def violations(self, view: LayoutView) -> Iterator[Violation]:
+        """Yield every placed region out of its range."""
+        for path in view.facade.select(self.of):
+            least, most = self.bounds(view.facade, path)
+            axis = axis_of(view.facade, path)
+            for placed in view.places(path):
+                size = (placed.box.width, placed.box.height)[axis]
+                amount = max(least - size, size - most)
+                if amount > view.tolerance:
+                    yield Violation(
+                        self, placed.path, f"is {size:g}, not between {least:g} and {most:g}", amount
+                    )
+
+
+def axis_of(facade: Facade, path: str) -> int:
+    """Return the axis that the parent of `path` splits (for the root, its own split)."""
+    parent, _, _ = path.rpartition("/")
+    split = facade.regions[parent or path].split
+    return AXIS["rows" if split == "rows" else "columns"]
+
+
+def input_size(facade: Facade, path: str) -> float:
+    """Return the size in the input along the axis that the parent of `path` splits."""
+    region = facade.regions[path]
+    return (region.width, region.height)[axis_of(facade, path)]

@@ -1,0 +1,85 @@
+"""Rules on arrangements: small automata that read a composite region's word, symbol by symbol."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from layoutkit.constraints.constraint import Constraint
+
+State = Hashable
+
+
+class Automaton(Protocol):
+    """A deterministic automaton over symbols, its states made as they are reached."""
+
+    def start(self) -> State:
+        """Return the state before the first symbol."""
+        ...
+
+    def step(self, state: State, symbol: str) -> State | None:
+        """Return the state after `symbol`, or None where no valid word goes on so."""
+        ...
+
+    def accepts(self, state: State) -> bool:
+        """Tell whether the word may end in `state`."""
+        ...
+
+
+@dataclass(frozen=True)
+class Admits:
+    """The words of the region at `path` are those that `automaton` accepts."""
+
+    path: str
+    automaton: Automaton
+    origin: tuple[Constraint, ...]
+
+
+@dataclass(frozen=True)
+class Counts:
+    """How often regions of a set occur anywhere inside the region at `path`.
+
+    Attributes
+    ----------
+    counted
+        Symbol paths of the regions that count.
+    least, most
+        The range, inclusive, given the region's size along its split over its input size.
+    """
+
+    path: str
+    counted: frozenset[str]
+    least: Bound
+    most: Bound
+    origin: tuple[Constraint, ...]
+
+
+@dataclass(frozen=True)
+class Agree:
+    """The words of several regions are the same under a mapping of symbols.
+
+    Attributes
+    ----------
+    symbols
+        For each region's path, its symbols by the name that all regions share.
+    """
+
+    symbols: Mapping[str, Mapping[str, str]]
+    origin: tuple[Constraint, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """An end of a range of counts; a relative one grows with the region's size over its input size."""
+
+    value: float
+    relative: bool
+
+    def at(self, growth: float) -> float:
+        """Return the bound where the region's size is `growth` times its input size."""
+        return self.value * growth if self.relative else self.value
+
+
+WordRule = Admits | Counts | Agree

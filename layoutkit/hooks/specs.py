@@ -1,0 +1,129 @@
+"""Hook specifications: what a plugin can add, and what it must offer to do so.
+
+A plugin is a module (or object) that an installed package names under the entry point group `layoutkit`, and that
+implements some of the hooks of `Hooks`, each marked with `hookimpl`. Everything built in does the same.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
+
+import pluggy
+
+from layoutkit.diagnostics import Diagnostic
+
+if TYPE_CHECKING:
+    from layoutkit.constraints import Constraint
+    from layoutkit.model import Facade, Layout
+    from layoutkit.sizing.qp import Backend
+
+#: The name of the plugin system: markers, and the entry point group.
+PROJECT = "layoutkit"
+
+hookspec = pluggy.HookspecMarker(PROJECT)
+hookimpl = pluggy.HookimplMarker(PROJECT)
+
+Status = Literal["found", "infeasible", "limit"]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One result of a stage.
+
+    Attributes
+    ----------
+    status
+        ``found``; ``infeasible``, which is proved; or ``limit``: the budget ran out.
+    document
+        The new facade or layout; None where there is none.
+    seconds
+        Time spent on this one (search and sizing; no reading, writing or pictures).
+    """
+
+    status: Status
+    document: Facade | Layout | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+    seconds: float = 0.0
+
+
+class Stage(ABC):
+    """Turns one document into others.
+
+    Attributes
+    ----------
+    name
+        What commands ask for, e.g. ``relayout``.
+    summary
+        What it does, in one sentence.
+    options
+        Frozen dataclass of its options, every field with a default.
+    """
+
+    name: ClassVar[str]
+    summary: ClassVar[str]
+    options: ClassVar[type]
+
+    @abstractmethod
+    def run(self, facade: Facade, options: Any) -> Iterator[Outcome]:
+        """Yield the results, each as soon as it is there.
+
+        Parameters
+        ----------
+        facade
+            What to work on.
+        options
+            An instance of the class's `options`.
+        """
+
+
+class Format(ABC):
+    """Reads annotations that others made.
+
+    Attributes
+    ----------
+    name
+        What ``convert --format`` takes, e.g. ``cmp``.
+    summary
+        What it reads, in one sentence.
+    """
+
+    name: ClassVar[str]
+    summary: ClassVar[str]
+
+    @abstractmethod
+    def recognises(self, path: Path, head: bytes) -> bool:
+        """Tell whether the file, whose first bytes are `head`, seems to be of this format."""
+
+    @abstractmethod
+    def read(self, path: Path, picture: Path | None) -> tuple[Facade, Sequence[Diagnostic]]:
+        """Return the facade, its picture's file as given, and remarks on defects survived.
+
+        Raises
+        ------
+        Faulty
+            If nothing can be made of the file.
+        """
+
+
+class Hooks:
+    """The hooks. Each is called once, when the program starts to need it."""
+
+    @hookspec
+    def layoutkit_constraints(self) -> Iterable[type[Constraint]]:  # type: ignore[empty-body]  # a specification
+        """Return constraint kinds: subclasses of `layoutkit.constraints.Constraint`."""
+
+    @hookspec
+    def layoutkit_stages(self) -> Iterable[Stage]:  # type: ignore[empty-body]  # a specification
+        """Return stages."""
+
+    @hookspec
+    def layoutkit_formats(self) -> Iterable[Format]:  # type: ignore[empty-body]  # a specification
+        """Return formats that ``convert`` reads."""
+
+    @hookspec
+    def layoutkit_qp_backends(self) -> Iterable[Backend]:  # type: ignore[empty-body]  # a specification
+        """Return solvers of quadratic programs."""

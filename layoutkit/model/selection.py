@@ -1,0 +1,129 @@
+"""Region sets: symbols and labels with union, intersection and difference."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+#: What a symbol or label may be called: a letter or underscore, then letters, digits, underscores.
+SYMBOL = r"[^\W\d]\w*"
+
+_TOKEN = re.compile(rf"\s*(?:(?P<operator>[|&()-])|(?P<name>@?{SYMBOL}(?:/{SYMBOL})*))")
+Operator = Literal["|", "&", "-"]
+
+
+@dataclass(frozen=True, slots=True)
+class RegionSet:
+    """A set of regions, written as an expression over names.
+
+    A name is a label (``@Window``), a symbol path from the root (``Facade/Floor/Bay``) or, where the
+    context is one composite region, the symbol of a direct child (``Bay``). Names join with ``|``
+    (union), ``&`` (intersection) and ``-`` (difference), which bind alike, from left to right;
+    parentheses group: ``@Window - @DoorSized``.
+
+    Attributes
+    ----------
+    name
+        The name, where the set is a single one; else empty.
+    operator, left, right
+        The operation, where it is not.
+    """
+
+    name: str = ""
+    operator: Operator | None = None
+    left: RegionSet | None = None
+    right: RegionSet | None = None
+
+    @classmethod
+    def parse(cls, text: str) -> RegionSet:
+        """Read an expression.
+
+        Raises
+        ------
+        ValueError
+            If the text is not of that form; the message says where.
+        """
+        tokens = list(_tokens(text))
+        found, rest = _expression(tokens, text)
+        if rest:
+            raise ValueError(f"unexpected {rest[0]!r} in {text!r}")
+        return found
+
+    @classmethod
+    def union(cls, names: Iterable[str]) -> RegionSet:
+        """Return the union of single names, at least one.
+
+        Raises
+        ------
+        ValueError
+            If there is no name, or one of them is not of a name's form.
+        """
+        sets = [cls.parse(name) for name in names]
+        if not sets:
+            raise ValueError("a set of regions cannot be empty")
+        found = sets[0]
+        for other in sets[1:]:
+            found = cls(operator="|", left=found, right=other)
+        return found
+
+    def names(self) -> tuple[str, ...]:
+        """Return every name in the expression, in order, labels with their ``@``."""
+        if self.left is None or self.right is None:
+            return (self.name,)
+        return self.left.names() + self.right.names()
+
+    def terms(self) -> tuple[str, ...]:
+        """Return the names joined by unions, or the whole expression as a single term."""
+        if self.operator != "|" or self.left is None or self.right is None:
+            return (str(self),)
+        return self.left.terms() + self.right.terms()
+
+    def contains(self, names: frozenset[str]) -> bool:
+        """Tell whether a region that goes by all of `names` (labels with their ``@``) is in the set."""
+        if self.left is None or self.right is None:
+            return self.name in names
+        left, right = self.left.contains(names), self.right.contains(names)
+        if self.operator == "|":
+            return left or right
+        return left and (right if self.operator == "&" else not right)
+
+    def __str__(self) -> str:
+        if self.left is None or self.right is None:
+            return self.name
+        right = f"({self.right})" if self.right.operator else str(self.right)
+        return f"{self.left} {self.operator} {right}"
+
+
+def _tokens(text: str) -> Iterator[str]:
+    position, end = 0, len(text.rstrip())
+    while position < end:
+        token = _TOKEN.match(text, position)
+        if token is None:
+            raise ValueError(f"unexpected {text[position:].strip()[0]!r} in {text!r}")
+        yield token[0].strip()
+        position = token.end()
+
+
+def _expression(tokens: list[str], text: str) -> tuple[RegionSet, list[str]]:
+    found, tokens = _operand(tokens, text)
+    while tokens and tokens[0] in ("|", "&", "-"):
+        operator: Operator = tokens[0]  # type: ignore[assignment]  # one of the three, as just tested
+        other, tokens = _operand(tokens[1:], text)
+        found = RegionSet(operator=operator, left=found, right=other)
+    return found, tokens
+
+
+def _operand(tokens: list[str], text: str) -> tuple[RegionSet, list[str]]:
+    if not tokens:
+        raise ValueError(f"a name is missing at the end of {text!r}")
+    head, rest = tokens[0], tokens[1:]
+    if head == "(":
+        found, rest = _expression(rest, text)
+        if not rest or rest[0] != ")":
+            raise ValueError(f"a parenthesis is not closed in {text!r}")
+        return found, rest[1:]
+    if head in ("|", "&", "-", ")"):
+        raise ValueError(f"a name is expected before {head!r} in {text!r}")
+    return RegionSet(head), rest

@@ -1,0 +1,1 @@
+"""Sizing: cut lines, linear rows, the QP and its backends."""

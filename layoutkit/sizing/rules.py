@@ -1,0 +1,73 @@
+"""Rules on sizes, as linear forms over the cut lines of one axis."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from layoutkit.sizing.arrangement import Slot
+
+#: A linear form: line number to factor. Line positions run in reading direction: right, or down.
+Form = Mapping[int, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """`least` ≤ form ≤ `most`; equal ends make it an equality.
+
+    Attributes
+    ----------
+    axis
+        0 for x (lines of columns), 1 for y (lines of rows, counted down from the top).
+    origin
+        The constraint that asks for it.
+    """
+
+    axis: int
+    form: Form
+    least: float
+    most: float
+    origin: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """The form should be near `value`, drawn for each variation from a truncated normal distribution.
+
+    Attributes
+    ----------
+    centre, deviation, least, most
+        The distribution's mean, standard deviation and ends; a deviation of 0 always gives the centre.
+    weight
+        Factor of the squared distance in the objective.
+    """
+
+    axis: int
+    form: Form
+    centre: float
+    deviation: float
+    least: float
+    most: float
+    weight: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Aligned:
+    """Wherever a region of `first` and one of `second` overlap along the axis, their lines coincide.
+
+    Attributes
+    ----------
+    lines
+        The lines, as shares of the regions' extents: 0 the start, 0.5 the centre, 1 the end.
+    """
+
+    axis: int
+    first: tuple[Slot, ...]
+    second: tuple[Slot, ...]
+    lines: tuple[float, ...]
+    origin: Any
+
+
+SizeRule = Range | Target | Aligned
