@@ -1,8 +1,6 @@
 """What a constraint is, and the built-in kinds, one file a kind."""
 
 from layoutkit.constraints.alignment import Alignment
-
-
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.frequency import Frequency
 from layoutkit.constraints.same_arrangement import SameArrangement

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from layoutkit.constraints.attributes import PATH, REGIONS, attribute, choices
-from layoutkit.constraints.checking import LayoutView
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.references import unknown_names, unknown_path
+from layoutkit.constraints.view import LayoutView
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, PlacedRegion, RegionSet, Violation
 from layoutkit.sizing.arrangement import Arrangement, Slot
@@ -64,6 +64,10 @@ class Alignment(Constraint):
                 "write one alignment for left, center, right and one for top, middle, bottom",
                 topic="alignment",
             )
+
+    def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
+        """Yield both sets together."""
+        yield self.axis, (*facade.select(self.first), *facade.select(self.second))
 
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
         """Yield the pairs that may have to align, scope by scope."""

@@ -81,9 +81,7 @@ def _paths(text: str) -> tuple[str, ...]:
     return found
 
 
-MEASURE = AttributeType(
-    "measure", Measure.parse, pattern=r"\s*[0-9.]+([eE][+\-]?[0-9]+)?\s*%?\s*"
-)
+MEASURE = AttributeType("measure", Measure.parse, pattern=r"\s*[0-9.]+([eE][+\-]?[0-9]+)?\s*%?\s*")
 COUNT = AttributeType("count", _count, pattern=r"[0-9]+")
 REGIONS = AttributeType("regions", RegionSet.parse)
 EXTENT = AttributeType("extent", Extent.parse)

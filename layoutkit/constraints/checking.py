@@ -2,57 +2,22 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator
-from functools import cached_property
 
-from layoutkit.model import Box, Facade, Layout, PlacedRegion, Region, Violation, place
+from layoutkit.constraints.defaults import effective_constraints, replicated
+from layoutkit.constraints.view import LayoutView
+from layoutkit.model import Facade, Layout, PlacedRegion, Region, Violation, place
 from layoutkit.model.region import TILING_TOLERANCE
-
-#: Hard constraints hold to this share of the facade's size (the tolerance of the whole project).
-CONSTRAINT_TOLERANCE = 1e-6
-
-
-class LayoutView:
-    """A layout as constraints look at it: placed regions by symbol path, with boxes.
-
-    Attributes
-    ----------
-    tolerance
-        Greatest deviation, in document units, that still counts as kept.
-    """
-
-    def __init__(self, layout: Layout, facade: Facade) -> None:
-        self.layout, self.facade = layout, facade
-        self.tolerance = CONSTRAINT_TOLERANCE * max(layout.root.width, layout.root.height)
-
-    @cached_property
-    def _places(self) -> dict[str, list[PlacedRegion]]:
-        found: defaultdict[str, list[PlacedRegion]] = defaultdict(list)
-        for placed in place(self.layout.root):
-            found[placed.symbol_path].append(placed)
-        return found
-
-    @cached_property
-    def by_path(self) -> dict[str, PlacedRegion]:
-        """Every placed region by its unique path."""
-        return {placed.path: placed for places in self._places.values() for placed in places}
-
-    def places(self, symbol_path: str) -> list[PlacedRegion]:
-        """Return every place of the regions of a symbol path, in document order."""
-        return self._places.get(symbol_path, [])
-
-    def interval(self, box: Box, axis: int) -> tuple[float, float]:
-        """Return start and end of a box along an axis, in reading direction: right, or down."""
-        return (box.x0, box.x1) if axis == 0 else (-box.y1, -box.y0)
 
 
 def violations(layout: Layout, facade: Facade) -> tuple[Violation, ...]:
     """Return every rule and constraint that the layout breaks, the rules of all layouts first."""
     view = LayoutView(layout, facade)
     broken = [*_tree_faults(view)]
-    for constraint in facade.constraints:
+    for constraint in effective_constraints(facade):
         broken += constraint.violations(view)
+    for path in replicated(facade):
+        broken += _word_faults(path, view)
     return tuple(broken)
 
 
@@ -84,6 +49,13 @@ def _region_faults(placed: PlacedRegion, facade: Facade) -> Iterator[Violation]:
     gap = max(abs(sum(along) - size) / size, *(abs(a - other) / other for a in across))
     if gap > TILING_TOLERANCE or min(along) <= 0:
         yield Violation(None, placed.path, "its children do not tile it", gap * size)
+
+
+def _word_faults(path: str, view: LayoutView) -> Iterator[Violation]:
+    for placed in view.places(path):
+        if placed.region.word != view.facade.regions[path].word:
+            word = " ".join(placed.region.word)
+            yield Violation(None, placed.path, f"has no sequence, and yet another arrangement: {word!r}", 1.0)
 
 
 def _replica_faults(path: str, view: LayoutView) -> Iterator[Violation]:

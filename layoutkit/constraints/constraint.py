@@ -17,9 +17,9 @@ from layoutkit.diagnostics import Diagnostic, Place
 from layoutkit.model import Facade, Violation
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
+    from typing import Self
 
-    from layoutkit.constraints.checking import LayoutView
+    from layoutkit.constraints.view import LayoutView
     from layoutkit.constraints.word_rules import WordRule
     from layoutkit.sizing.arrangement import Arrangement
     from layoutkit.sizing.rules import SizeRule
@@ -64,6 +64,14 @@ class Constraint:
     @classmethod
     def word_rules(cls, constraints: Sequence[Self], facade: Facade) -> Iterator[WordRule]:
         """Yield the rules that all constraints of this kind together put on arrangements."""
+        return iter(())
+
+    def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
+        """Yield, for each axis, the symbol paths whose sizes or places the constraint ties to each other.
+
+        The search looks for dead ends there as soon as the words are chosen; what is not said is found at the
+        end.
+        """
         return iter(())
 
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:

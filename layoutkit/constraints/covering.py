@@ -48,8 +48,7 @@ class Covering:
     def accepts(self, state: State) -> bool:
         """Tell whether some chain ends here: its piece is read whole, and tied to the end."""
         return any(
-            self.pieces[piece].at_end and read == len(self.pieces[piece].sets)
-            for piece, read, _, _ in state
+            self.pieces[piece].at_end and read == len(self.pieces[piece].sets) for piece, read, _, _ in state
         )
 
     def _follow(self, thread: Thread, symbol: str) -> list[Thread]:
@@ -58,7 +57,11 @@ class Covering:
             return []
         read += 1
         if following != _NONE:
-            return self._settle(piece, read, following, begun + 1) if self._reads(following, begun, symbol) else []
+            return (
+                self._settle(piece, read, following, begun + 1)
+                if self._reads(following, begun, symbol)
+                else []
+            )
         found = [(piece, read, _NONE, 0)] if self._may_wait(piece, read) else []
         if self.pieces[piece].at_end:
             return found  # nothing follows a piece that ends the word
@@ -72,7 +75,7 @@ class Covering:
         return read < len(sets) and symbol in sets[read]
 
     def _may_wait(self, piece: int, read: int) -> bool:
-        """A piece read whole without a successor overlapping it goes on only if the word ends with it."""
+        """Tell whether a piece may stand without a successor: half read, or at the end of the word."""
         return read < len(self.pieces[piece].sets) or self.pieces[piece].at_end
 
     def _settle(self, piece: int, read: int, following: int, begun: int) -> list[Thread]:

@@ -9,16 +9,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.attributes import MEASURE, PATH, REGIONS, attribute
-from layoutkit.constraints.checking import LayoutView
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.references import unknown_composite, unknown_names
+from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Bound, Counts, WordRule
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, Measure, RegionSet, Violation
 from layoutkit.sizing.arrangement import AXIS
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
+    from typing import Self
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,7 +45,12 @@ class Frequency(Constraint):
             return
         yield from unknown_names(self, self.of, facade, self.within)
         least, most = self.ends(facade) if self.within in facade.places else (None, None)
-        if least is not None and most is not None and least.relative == most.relative and least.value > most.value:
+        if (
+            least is not None
+            and most is not None
+            and least.relative == most.relative
+            and least.value > most.value
+        ):
             yield Diagnostic(
                 "LK202",
                 f"the least count is above the greatest: {self.min} > {self.max}",

@@ -1,8 +1,8 @@
 """Same arrangement: regions whose words agree symbol by symbol.
 
-Not in Bao et al. 2013, who couple floors by alignments alone. Floors that share their bays are the common case
-in real facades, and an equality of words is what people mean there: it is exact, can be counted, and needs no
-guess which of two regions might overlap.
+Not in Bao et al. 2013, who couple floors by alignments alone. Floors that share their bays are the common
+case in real facades, and an equality of words is what people mean there: it is exact, can be counted, and
+needs no guess which of two regions might overlap.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.attributes import PATHS, attribute
-from layoutkit.constraints.checking import LayoutView
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.references import unknown_composite
+from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Agree, WordRule
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, Violation
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
+    from typing import Self
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,7 +30,7 @@ class SameArrangement(Constraint):
 
     kind: ClassVar[str] = "same-arrangement"
     summary: ClassVar[str] = (
-        "The regions have the same arrangement, symbol by symbol: floors whose bays stand one above the other."
+        "The regions have the same arrangement, symbol by symbol: floors whose bays stand in line."
     )
 
     of: tuple[str, ...] = attribute(PATHS, "Paths of the composite regions, at least two.")

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from layoutkit.constraints.attributes import EXTENT, PATH, attribute, choice
-from layoutkit.constraints.checking import LayoutView
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.references import unknown_composite, unknown_in_word, unknown_names, unknown_path
+from layoutkit.constraints.view import LayoutView
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Extent, Facade, Violation
 from layoutkit.model.extent import occurrences
-from layoutkit.sizing.arrangement import AXIS, Arrangement, add
+from layoutkit.sizing.arrangement import AXIS, Arrangement, Slot, add
 from layoutkit.sizing.rules import Form, Range, SizeRule
 
 
@@ -68,37 +68,38 @@ class SameSize(Constraint):
                 topic="sizing",
             )
 
+    def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
+        """Yield all regions of both extents together."""
+        paths: list[str] = []
+        for extent in self._extents:
+            paths += facade.select(extent.regions) if extent.regions is not None else [extent.within]
+        yield self.axis, tuple(paths)
+
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
         """Yield an equality between the first occurrence in each scope and every other."""
-        if self.within is None:
-            found = [f for extent in self._extents for f, _ in self._forms(extent, arrangement, ())]
-            yield from self._equal(found)
-            return
-        for scope in arrangement.occurrences(self.within):
-            forms = [f for e in self._extents for f, _ in self._forms(e, arrangement, (scope,))]
-            yield from self._equal(forms)
+        scopes: tuple[Slot | None, ...] = (None,)
+        if self.within is not None:
+            scopes = arrangement.occurrences(self.within)
+        for scope in scopes:
+            forms = [form for extent in self._extents for form in self._forms(extent, arrangement, scope)]
+            for other in forms[1:]:
+                if difference := add(other, forms[0], -1.0):
+                    yield Range(self.axis, difference, 0.0, 0.0, self)
 
-    def _equal(self, forms: list[Form]) -> Iterator[SizeRule]:
-        for other in forms[1:]:
-            if difference := add(other, forms[0], -1.0):
-                yield Range(self.axis, difference, 0.0, 0.0, self)
-
-    def _forms(
-        self, extent: Extent, arrangement: Arrangement, scope: tuple[object, ...]
-    ) -> Iterator[tuple[Form, str]]:
-        """Yield the size of every distinct occurrence: replicas have one size, so one form."""
+    def _forms(self, extent: Extent, arrangement: Arrangement, scope: Slot | None) -> Iterator[Form]:
+        """Yield the size of every distinct occurrence in the scope: replicas have one size, so one form."""
         facade = arrangement.facade
         paths = facade.select(extent.regions) if extent.regions is not None else (extent.within,)
         for path in paths:
             slots = arrangement.occurrences(path)
-            if not any(not scope or slot.inside(scope[0]) for slot in slots):  # type: ignore[arg-type]
+            if not slots or (scope is not None and not any(slot.inside(scope) for slot in slots)):
                 continue
             if extent.word is None:
-                yield arrangement.extent(path, self.axis), path
-                continue
-            cuts = arrangement.frames[path].cuts
-            for start, end in occurrences(extent.word, facade.regions[path], arrangement.words[path]):
-                yield {cuts[end]: 1.0, cuts[start]: -1.0}, path
+                yield arrangement.extent(path, self.axis)
+            elif path in arrangement.words:
+                cuts = arrangement.frames[path].cuts
+                for start, end in occurrences(extent.word, facade.regions[path], arrangement.words[path]):
+                    yield {cuts[end]: 1.0, cuts[start]: -1.0}
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every extent that differs from the first in its scope."""

@@ -7,17 +7,17 @@ from collections.abc import Sequence as ListOf
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.constraints.attributes import PATH, WORD, attribute
-from layoutkit.constraints.checking import LayoutView
+from layoutkit.constraints.attributes import PATHS, WORD, attribute
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.covering import Covering, Piece
 from layoutkit.constraints.references import unknown_composite, unknown_in_word
+from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Admits, WordRule
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, Region, Violation, Word
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
+    from typing import Self
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,16 +31,17 @@ class Sequence(Constraint):
         "without sequences keeps the input's arrangement."
     )
 
-    within: str = attribute(PATH, "Path of the composite region.")
+    within: tuple[str, ...] = attribute(PATHS, "Paths of the composite regions that it holds for.")
     word: Word = attribute(
         WORD, "Symbols, @labels and {sets} of direct subregions, with a leading ⊢ or trailing ⊣ for its ends."
     )
 
     def faults(self, facade: Facade) -> Iterator[Diagnostic]:
         """Yield unknown names."""
-        yield from (unknown := list(unknown_composite(self, self.within, facade)))
-        if not unknown:
-            yield from unknown_in_word(self, self.word, self.within, facade)
+        for path in self.within:
+            yield from (unknown := list(unknown_composite(self, path, facade)))
+            if not unknown:
+                yield from unknown_in_word(self, self.word, path, facade)
 
     def piece(self, region: Region) -> Piece:
         """Return the sequence as sets of symbols of the region's children."""
@@ -54,21 +55,22 @@ class Sequence(Constraint):
     @classmethod
     def word_rules(cls, constraints: ListOf[Self], facade: Facade) -> Iterator[WordRule]:
         """Yield one automaton for each region that has sequences."""
-        for path in dict.fromkeys(c.within for c in constraints):
-            own = tuple(c for c in constraints if c.within == path)
+        for path in dict.fromkeys(path for c in constraints for path in c.within):
+            own = tuple(c for c in constraints if path in c.within)
             pieces = tuple(c.piece(facade.regions[path]) for c in own)
             yield Admits(path, Covering(pieces), own)
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every arrangement that no chain of the region's sequences covers; the first one reports."""
-        own = [c for c in view.facade.constraints if isinstance(c, Sequence) and c.within == self.within]
-        if own[0] is not self:
-            return
-        pieces = [c.piece(view.facade.regions[self.within]) for c in own]
-        for placed in view.places(self.within):
-            if not covered(placed.region.word, pieces):
-                word = " ".join(placed.region.word)
-                yield Violation(self, placed.path, f"no chain of its sequences covers {word!r}", 1.0)
+        for path in self.within:
+            own = [c for c in view.facade.constraints if isinstance(c, Sequence) and path in c.within]
+            if own[0] is not self:
+                continue
+            pieces = [c.piece(view.facade.regions[path]) for c in own]
+            for placed in view.places(path):
+                if not covered(placed.region.word, pieces):
+                    word = " ".join(placed.region.word)
+                    yield Violation(self, placed.path, f"no chain of its sequences covers {word!r}", 1.0)
 
 
 def covered(word: tuple[str, ...], pieces: ListOf[Piece]) -> bool:

@@ -7,13 +7,16 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from layoutkit.constraints.attributes import MEASURE, REGIONS, attribute
-from layoutkit.constraints.checking import LayoutView
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.references import unknown_names
+from layoutkit.constraints.view import LayoutView
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, Measure, RegionSet, Violation
 from layoutkit.sizing.arrangement import AXIS, Arrangement
 from layoutkit.sizing.rules import Range, SizeRule, Target
+
+#: No region gets smaller than this share of its input size.
+LEAST_SHARE = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,7 +34,9 @@ class Size(Constraint):
     max: Measure | None = attribute(MEASURE, "Greatest size, absolute or as a share of the input's.", None)
     centre: Measure = attribute(MEASURE, "Mean of the initial sizes.", Measure(1.0, relative=True))
     deviation: Measure = attribute(
-        MEASURE, "Standard deviation of the initial sizes; 0 always starts from the centre.", Measure(0.05, True)
+        MEASURE,
+        "Standard deviation of the initial sizes; 0 always starts from the centre.",
+        Measure(0.05, True),
     )
 
     def faults(self, facade: Facade) -> Iterator[Diagnostic]:
@@ -52,9 +57,9 @@ class Size(Constraint):
                 )
 
     def bounds(self, facade: Facade, path: str) -> tuple[float, float]:
-        """Return least and greatest size of the region at `path`; 0 and infinity where none is given."""
+        """Return least and greatest size of the region at `path`; a region never vanishes."""
         size = input_size(facade, path)
-        least = self.min.of(size) if self.min is not None else 0.0
+        least = max(self.min.of(size) if self.min is not None else 0.0, LEAST_SHARE * size)
         return least, self.max.of(size) if self.max is not None else float("inf")
 
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
@@ -67,7 +72,10 @@ class Size(Constraint):
             least, most = self.bounds(facade, path)
             form = arrangement.extent(path, axis)
             yield Range(axis, form, least, most, self)
-            yield Target(axis, form, self.centre.of(size), self.deviation.of(size), least, most)
+            parent, _, symbol = path.rpartition("/")
+            replicas = arrangement.words[parent].count(symbol) if parent else 1
+            centre, deviation = self.centre.of(size), self.deviation.of(size)
+            yield Target(axis, form, centre, deviation, least, most, float(replicas))
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every placed region out of its range."""

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
     from layoutkit.constraints.constraint import Constraint
 
-State = Hashable
+#: What an automaton remembers: any hashable value of its own.
+State = Any
 
 
 class Automaton(Protocol):

@@ -1,7 +1,7 @@
 """Hook specifications: what a plugin can add, and what it must offer to do so.
 
-A plugin is a module (or object) that an installed package names under the entry point group `layoutkit`, and that
-implements some of the hooks of `Hooks`, each marked with `hookimpl`. Everything built in does the same.
+A plugin is a module (or object) that an installed package names under the entry point group `layoutkit`, and
+that implements some of the hooks of `Hooks`, each marked with `hookimpl`. Everything built in does the same.
 """
 
 from __future__ import annotations

@@ -80,12 +80,20 @@ class Facade:
             Path of the composite region whose direct children single symbols in the set mean; labels
             then mean any region inside it. None: the whole facade.
         """
-        prefix = f"{within}/" if within else ""
-        return tuple(
-            path
-            for path, region in self.regions.items()
-            if path.startswith(prefix) and regions.contains(names_of(path, region, within))
-        )
+        key = (regions, within)
+        if key not in self._selected:
+            prefix = f"{within}/" if within else ""
+            self._selected[key] = tuple(
+                path
+                for path, region in self.regions.items()
+                if path.startswith(prefix) and regions.contains(names_of(path, region, within))
+            )
+        return self._selected[key]
+
+    @cached_property
+    def _selected(self) -> dict[tuple[RegionSet, str | None], tuple[str, ...]]:
+        """What `select` has found: constraints ask again for every variation."""
+        return {}
 
 
 def names_of(path: str, region: Region, within: str | None = None) -> frozenset[str]:

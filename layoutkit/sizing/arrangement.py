@@ -38,13 +38,6 @@ class Slot:
     index: int
     spans: tuple[Interval, Interval]
 
-    @property
-    def path(self) -> str:
-        """The unique path: repeats are numbered, as `layoutkit.model.place` does it."""
-        if self.parent is None:
-            return self.symbol_path
-        return f"{self.parent.path}/{self.region.symbol}"
-
     def inside(self, ancestor: Slot) -> bool:
         """Tell whether the slot lies in `ancestor`, or is it."""
         slot: Slot | None = self
@@ -69,7 +62,8 @@ class Arrangement:
     facade
         What is laid out anew.
     words
-        The word of every composite symbol path that the words themselves reach.
+        The word of every composite symbol path that the words themselves reach; one without a word is
+        still undecided, and stands as a box without an inside.
     size
         Width and height.
 
@@ -98,10 +92,11 @@ class Arrangement:
         while pending:
             path, (x, y) = pending.pop()
             region = self.facade.regions[path]
-            if region.split is None:
+            word = self.words.get(path)
+            if region.split is None or word is None:
                 self.frames[path] = Frame((x, y))
                 continue
-            axis, word = AXIS[region.split], self.words[path]
+            axis = AXIS[region.split]
             start, end = (x, y)[axis]
             inner = tuple(range(self.lines[axis], self.lines[axis] + len(word) - 1))
             self.lines[axis] += len(inner)

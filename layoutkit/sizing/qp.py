@@ -41,7 +41,9 @@ class QP:
     def residual(self, x: Floats) -> float:
         """Return by how much `x` misses the worst row; 0 if it keeps them all."""
         values = self.rows @ x
-        return float(max(0.0, np.max(self.least - values, initial=0.0), np.max(values - self.most, initial=0.0)))
+        return float(
+            max(0.0, np.max(self.least - values, initial=0.0), np.max(values - self.most, initial=0.0))
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,46 @@
+"""Exit codes, and which diagnostics lead to which."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterable, Mapping
+
+from layoutkit.diagnostics import Diagnostic, Severity
+
+
+class Exit(enum.IntEnum):
+    """How a command ends."""
+
+    DONE = 0
+    FAULTS = 1
+    USAGE = 2
+    INFEASIBLE = 3
+    LIMIT = 4
+    PLUGIN = 5
+    INTERNAL = 70
+    INTERRUPTED = 130
+    BROKEN_PIPE = 141
+
+
+#: Exit codes by the beginning of a diagnostic's code; the longest that fits decides. All others are faults of
+#: the document.
+_BY_CODE: Mapping[str, Exit] = {
+    "LK4": Exit.PLUGIN,
+    "LK406": Exit.USAGE,  # a name that no plugin has: asked for by the user
+    "LK7": Exit.USAGE,
+    "LK9": Exit.INTERNAL,
+}
+
+#: Where several apply, the first of these is the answer: what hinders most comes first.
+_ORDER = (Exit.INTERNAL, Exit.PLUGIN, Exit.USAGE, Exit.FAULTS)
+
+
+def exit_of(diagnostics: Iterable[Diagnostic]) -> Exit:
+    """Return the exit code that the errors among `diagnostics` lead to."""
+    found = {_exit(d.code) for d in diagnostics if d.severity is Severity.ERROR}
+    return next((code for code in _ORDER if code in found), Exit.DONE)
+
+
+def _exit(code: str) -> Exit:
+    fitting = [prefix for prefix in _BY_CODE if code.startswith(prefix)]
+    return _BY_CODE[max(fitting, key=len)] if fitting else Exit.FAULTS

@@ -1,0 +1,129 @@
+"""What the commands of one run share: plugins, reading and writing of files, and what there is to say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from layoutkit.cli import console
+from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
+from layoutkit.model import Facade
+
+if TYPE_CHECKING:
+    from layoutkit.documents import Document
+    from layoutkit.hooks.host import Host
+
+
+@dataclass
+class Session:
+    """One run of the program.
+
+    Attributes
+    ----------
+    severity
+        How grave a failing plugin is.
+    diagnostics
+        All that was reported, in order.
+    """
+
+    severity: Severity = Severity.WARNING
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, context: typer.Context) -> Session:
+        """Return the session of a command's context."""
+        return context.ensure_object(cls)
+
+    @cached_property
+    def host(self) -> Host:
+        """The plugins, loaded when they are first needed."""
+        from layoutkit.hooks.host import Host
+
+        return Host.load(self.severity)
+
+    def report(self, diagnostics: Iterable[Diagnostic] = ()) -> None:
+        """Show diagnostics, after those of plugins that have failed meanwhile; each once."""
+        failed = self.host.diagnostics if "host" in vars(self) else ()
+        new = [d for d in dict.fromkeys((*failed, *diagnostics)) if d not in self.diagnostics]
+        self.diagnostics += new
+        console.show(new)
+
+    def read(self, path: Path) -> Document:
+        """Read a facade or layout document, and report what is to be said of it.
+
+        Raises
+        ------
+        Faulty
+            If it has errors.
+        """
+        from layoutkit import documents
+
+        document = documents.read(path, self.host.constraints)
+        self.report(document.diagnostics)
+        return document
+
+    def read_facade(self, path: Path, command: str) -> tuple[Document, Facade]:
+        """Read a facade document.
+
+        Raises
+        ------
+        Faulty
+            If it has errors, or is a layout.
+        """
+        document = self.read(path)
+        if isinstance(document.model, Facade):
+            return document, document.model
+        raise Faulty(
+            [
+                Diagnostic(
+                    "LK702",
+                    f"{command} takes a facade, but this document is a layout",
+                    Place(str(path)),
+                    "name the facade's own document; beside a layout that vary made it is facade.xml",
+                    topic="usage",
+                )
+            ]
+        )
+
+    def write(self, path: Path, data: bytes) -> None:
+        """Write a file whole or not at all, its folder made if missing.
+
+        Raises
+        ------
+        Faulty
+            If that cannot be done.
+        """
+        from layoutkit import documents
+
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            documents.save(path, data)
+        except OSError as error:
+            raise Faulty([unwritable(path, error)]) from error
+
+
+def unwritable(path: Path, error: OSError) -> Diagnostic:
+    """Return the diagnostic of a file that cannot be written."""
+    return Diagnostic(
+        "LK704",
+        f"cannot be written: {error.strerror or error}",
+        Place(str(path)),
+        "name another file with -o, or make room and permissions for this one",
+        topic="usage",
+    )
+
+
+def unreadable(path: Path, error: OSError) -> Diagnostic:
+    """Return the diagnostic of a file that cannot be read."""
+    return Diagnostic(
+        "LK001",
+        f"cannot be read: {error.strerror or error}",
+        Place(str(path)),
+        "is this the right path?",
+        topic="file",
+    )

@@ -1,0 +1,421 @@
+"""The registry of diagnostic codes: what each means, how it comes about, and what to do.
+
+Groups: LK0 files and safety, LK1 structure, LK2 references and constraints, LK3 conversion, LK4 plugins, LK5 layouts
+against facades, LK6 search, LK7 usage, LK9 our own faults. A code keeps its meaning for good; retired ones are not
+given out again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from layoutkit.diagnostics.diagnostic import Severity
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    """What there is to say of one kind of diagnostic.
+
+    Attributes
+    ----------
+    code
+        Its stable name.
+    title
+        In a few words.
+    explanation
+        What the program found, and why it minds.
+    cause
+        How it commonly comes about.
+    remedy
+        What to do.
+    severity
+        What it is reported as, unless the reporter has reason to differ.
+    """
+
+    code: str
+    title: str
+    explanation: str
+    cause: str
+    remedy: str
+    severity: Severity = Severity.ERROR
+
+
+_NOTE, _WARNING = Severity.NOTE, Severity.WARNING
+
+_FILES = (
+    Code(
+        "LK001",
+        "file cannot be read",
+        "The file is missing, is a folder, or may not be opened.",
+        "A misspelt name.",
+        "Correct the path; the hint names the nearest file beside it.",
+    ),
+    Code(
+        "LK002",
+        "not well-formed XML",
+        "The XML parser cannot go on; what follows the place is not read.",
+        "A tag that is not closed, or a bare & or <.",
+        "Correct the text at the place; write &amp; for & and &lt; for <.",
+    ),
+    Code(
+        "LK003",
+        "encoding not known or not kept",
+        "The bytes are not of the encoding that the XML declaration names, or no such encoding is known.",
+        "A file saved in another encoding than it declares.",
+        "Save it as UTF-8.",
+    ),
+    Code(
+        "LK004",
+        "document type declaration",
+        "Documents have no DTD: entities can make a small file grow without end, or draw in other files.",
+        "A <!DOCTYPE ...> line.",
+        "Delete it; the schema takes its place.",
+    ),
+    Code(
+        "LK005",
+        "nested too deeply",
+        "Elements stand inside one another beyond the greatest depth.",
+        "A generated document that wraps each region in another.",
+        "Flatten the hierarchy.",
+    ),
+    Code(
+        "LK006",
+        "too many elements",
+        "The document holds, or through `again` stands for, more elements than the program takes.",
+        "Replicas of replicas, level upon level.",
+        "Split the document.",
+    ),
+    Code(
+        "LK007",
+        "file too large",
+        "The file is larger than the program reads.",
+        "Another file than was meant.",
+        "Name a facade or layout document.",
+    ),
+    Code(
+        "LK008",
+        "file cannot be written",
+        "The file was not written; what stood there before is untouched.",
+        "A folder that is missing or write-protected.",
+        "Make the folder, or name another.",
+    ),
+    Code(
+        "LK009",
+        "character that XML cannot hold",
+        "A name or comment contains a control character or half a surrogate pair.",
+        "A file name of broken encoding.",
+        "Rename what the message quotes.",
+    ),
+    Code(
+        "LK010",
+        "picture cannot be used",
+        "The facade's picture is missing, cannot be decoded, or does not cover what the document says.",
+        "A document moved without its picture.",
+        "Put the picture where the document names it, or correct its file attribute.",
+    ),
+)
+
+_STRUCTURE = (
+    Code(
+        "LK101",
+        "not a facade or layout document",
+        "The root element is neither facade nor layout, or not in the namespace urn:layoutkit:1.",
+        "A document of another format, or a forgotten xmlns.",
+        'Write xmlns="urn:layoutkit:1" on the root; `layoutkit convert` reads other formats.',
+    ),
+    Code(
+        "LK102",
+        "unknown element",
+        "No element of that name may stand here.",
+        "A misspelt name, or a constraint whose plugin is not installed.",
+        "Correct the name; `layoutkit plugins` lists what is loaded.",
+    ),
+    Code(
+        "LK103",
+        "unknown attribute",
+        "The element has no attribute of that name.",
+        "A misspelt name.",
+        "Correct it; the hint names the nearest.",
+    ),
+    Code(
+        "LK104",
+        "missing attribute",
+        "The element lacks an attribute that it needs.",
+        "A region without its size along the parent's split.",
+        "Add it.",
+    ),
+    Code(
+        "LK105",
+        "bad attribute value",
+        "The value is not of the attribute's form.",
+        'split="column" for split="columns".',
+        "Correct it; the hint says what is meant.",
+    ),
+    Code(
+        "LK106",
+        "bad size",
+        "Sizes are finite numbers greater than 0.",
+        "nan, inf, 0, a negative number, or a unit after the number.",
+        "Write a plain number in the document's units.",
+    ),
+    Code(
+        "LK107",
+        "missing element",
+        "The element lacks a child that it needs.",
+        "A facade without its root region.",
+        "Add it.",
+    ),
+    Code(
+        "LK108",
+        "element out of place",
+        "The element is known, but not here, not in this order, or not twice.",
+        "The picture written after the region.",
+        "Move or delete it.",
+    ),
+    Code(
+        "LK109",
+        "text where none is allowed",
+        "Between elements, only comments and white space may stand.",
+        "A stray character beside a tag.",
+        "Delete it, or make it a comment.",
+    ),
+    Code(
+        "LK110",
+        "children without a split",
+        "A region with children must say how it is divided.",
+        "A forgotten split attribute.",
+        'Add split="columns" or split="rows".',
+    ),
+    Code(
+        "LK111",
+        "split without children",
+        "A region with a split has no children to divide it into.",
+        "Children deleted, and the attribute left.",
+        "Delete the split, or add children.",
+    ),
+    Code(
+        "LK112",
+        "size that follows from the parent",
+        "A child has only the size along its parent's split; across it, the parent's holds.",
+        "A width given to the child of a rows region.",
+        "Delete the attribute.",
+    ),
+)
+
+_REFERENCES = (
+    Code(
+        "LK201",
+        "unknown name",
+        "A constraint names a region or label that the facade lacks.",
+        "A misspelt path, or a region that was renamed.",
+        "Correct the name; the hint names the nearest.",
+    ),
+    Code(
+        "LK202",
+        "empty range",
+        "The least value is above the greatest.",
+        "min and max exchanged.",
+        "Exchange them, or widen one.",
+    ),
+    Code(
+        "LK203",
+        "constraints cannot hold together",
+        "No layout of the size asked for keeps all constraints.",
+        "Ranges too narrow for the facade's size.",
+        "Loosen one of those that the message lists.",
+    ),
+    Code(
+        "LK205",
+        "arrangement of a terminal",
+        "A constraint speaks of the arrangement of a region that is not divided.",
+        "The path of a leaf where that of its parent was meant.",
+        "Name a region that has a split.",
+    ),
+    Code(
+        "LK206",
+        "lines of two axes",
+        "Upright and level lines stand in one alignment.",
+        'lines="left top".',
+        "Write one alignment for each axis.",
+    ),
+    Code(
+        "LK207",
+        "run across the dimension",
+        "A run of subregions has a size of its own only along its region's split.",
+        "The width of a run in a region of rows.",
+        "Exchange width and height, or name a region instead of a run.",
+    ),
+    Code(
+        "LK208",
+        "different symbols",
+        "Regions of the same arrangement must have the same symbols.",
+        "Bays that stand in line under different names.",
+        "Give subregions that correspond the same symbol.",
+    ),
+    Code(
+        "LK210",
+        "symbol defined in two ways",
+        "Siblings of the same symbol are identical regions, yet two differ.",
+        "A copied region, edited in one place only.",
+        "Write <again symbol=.../> for a replica, or give the other one its own symbol.",
+    ),
+    Code(
+        "LK211",
+        "again of an unknown symbol",
+        "`again` repeats an earlier sibling, and none has that symbol.",
+        "A misspelt symbol, or the replica before its original.",
+        "Correct the symbol, or write the region in full here.",
+    ),
+    Code(
+        "LK212",
+        "children do not add up",
+        "The sizes of the children along the split must add up to the parent's.",
+        "One child resized, and no other.",
+        "Change a child, or the parent, by the difference that the hint names.",
+    ),
+    Code(
+        "LK213",
+        "empty picture box",
+        "The part of the picture that the document covers has no area.",
+        "right and left, or bottom and top, exchanged: pixels count downwards.",
+        "Exchange them.",
+    ),
+)
+
+_CONVERSION: tuple[Code, ...] = ()
+
+_PLUGINS = (
+    Code(
+        "LK401",
+        "plugin cannot be loaded",
+        "Importing the plugin's module failed.",
+        "A dependency of the plugin that is missing, or of another version.",
+        "Install what the error names, or uninstall the plugin.",
+        _WARNING,
+    ),
+    Code(
+        "LK402",
+        "plugin does not fit the hooks",
+        "The plugin implements no hook, or one that does not exist, or with other parameters.",
+        "A plugin written for another version of layoutkit.",
+        "Upgrade the plugin.",
+        _WARNING,
+    ),
+    Code(
+        "LK403",
+        "hook fails",
+        "A plugin's hook raised an error; what it would have added is missing.",
+        "A fault in the plugin.",
+        "Report it to the plugin's author.",
+        _WARNING,
+    ),
+    Code(
+        "LK404",
+        "hook returns something unusable",
+        "What a plugin's hook returned is not what the hook asks for, and was skipped.",
+        "A class returned where an instance is asked for.",
+        "Report it to the plugin's author.",
+        _WARNING,
+    ),
+    Code(
+        "LK405",
+        "names clash",
+        "Two plugins, or two things that they add, go by the same name; the first is used.",
+        "Two packages that solve the same problem.",
+        "Disable one of them with LAYOUTKIT_DISABLE_PLUGINS.",
+        _WARNING,
+    ),
+    Code(
+        "LK406",
+        "no such stage, format, backend or constraint",
+        "Nothing of that name is loaded.",
+        "A misspelt name, or a plugin that is not installed.",
+        "Correct the name; `layoutkit plugins` lists what is loaded.",
+    ),
+    Code(
+        "LK407",
+        "plugin failed",
+        "A plugin raised an error while it was at work.",
+        "A fault in the plugin.",
+        "Report it to the plugin's author; LAYOUTKIT_DEBUG=1 shows the traceback.",
+    ),
+    Code(
+        "LK408",
+        "unknown plugin disabled",
+        "LAYOUTKIT_DISABLE_PLUGINS names a plugin that is not installed.",
+        "A misspelt name.",
+        "Correct it; `layoutkit plugins` lists the names.",
+        _WARNING,
+    ),
+)
+
+_LAYOUTS = (
+    Code(
+        "LK501",
+        "layout does not fit its facade",
+        "The layout breaks a rule that every layout keeps: known regions, exact tiling, identical replicas.",
+        "A layout edited by hand, or a facade edited after the layout was made.",
+        "Make the layout again from the facade.",
+    ),
+    Code(
+        "LK502",
+        "layout breaks a constraint",
+        "A constraint of the facade does not hold in the layout.",
+        "A layout edited by hand, or a constraint added after the layout was made.",
+        "Change the layout by the amount named, or loosen the constraint.",
+    ),
+    Code(
+        "LK503",
+        "units differ",
+        "Layout and facade state different units, so that their sizes cannot be compared.",
+        "A layout scaled by another program.",
+        "Write both in the same units.",
+    ),
+    Code(
+        "LK504",
+        "facade not found",
+        "The facade that a layout names is not there: the layout was read without it.",
+        "A layout moved without its facade.",
+        "Put the facade where the layout names it, or correct its facade attribute.",
+        _NOTE,
+    ),
+    Code(
+        "LK505",
+        "not a facade",
+        "The file that a layout names as its facade is another kind of document.",
+        "The layout's own file named instead.",
+        "Name the facade's document.",
+    ),
+)
+
+_SEARCH: tuple[Code, ...] = ()
+
+_USAGE: tuple[Code, ...] = ()
+
+_OURS = (
+    Code(
+        "LK901",
+        "layoutkit failed",
+        "The program ran into an error that it does not foresee.",
+        "A fault of ours.",
+        "Report it, with the traceback that LAYOUTKIT_DEBUG=1 shows.",
+    ),
+)
+
+#: Every code, in order.
+CODES: Mapping[str, Code] = {
+    entry.code: entry
+    for group in (
+        _FILES,
+        _STRUCTURE,
+        _REFERENCES,
+        _CONVERSION,
+        _PLUGINS,
+        _LAYOUTS,
+        _SEARCH,
+        _USAGE,
+        _OURS,
+    )
+    for entry in group
+}

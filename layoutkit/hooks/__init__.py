@@ -1,0 +1,8 @@
+"""Hook specifications, and the host that loads plugins.
+
+Plugins import from here: `hookimpl`, and the classes that the hooks return instances of.
+"""
+
+from layoutkit.hooks.specs import Format, Hooks, Outcome, Stage, Status, hookimpl
+
+__all__ = ["Format", "Hooks", "Outcome", "Stage", "Status", "hookimpl"]

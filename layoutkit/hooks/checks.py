@@ -1,0 +1,73 @@
+"""What hooks may return: each check says what is wrong with one item, or nothing."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import re
+
+#: What a name may be: an element's name in documents, a word on the command line.
+_NAME = re.compile(r"[a-z][a-z0-9-]*")
+
+
+def constraint_fault(item: object) -> str:
+    """Say why `item` is no constraint kind; empty if it is one."""
+    from layoutkit.constraints import Constraint
+
+    if not (isinstance(item, type) and issubclass(item, Constraint)):
+        return f"{item!r} is no subclass of Constraint"
+    if fault := _name_fault(item, "kind"):
+        return fault
+    if "__dataclass_params__" not in vars(item) or not vars(item)["__dataclass_params__"].frozen:
+        return f"{item.__name__} is no frozen dataclass"
+    declared = {a.field_name for a in item.attributes()} | {"place", "comment"}
+    if undeclared := [f.name for f in dataclasses.fields(item) if f.name not in declared]:
+        return f"{item.__name__}.{undeclared[0]} is not declared with attribute()"
+    if item.violations is Constraint.violations:
+        return f"{item.__name__} has no violations(): nothing would check it"
+    return ""
+
+
+def stage_fault(item: object) -> str:
+    """Say why `item` is no stage; empty if it is one."""
+    from layoutkit.hooks.specs import Stage
+
+    if not isinstance(item, Stage):
+        return f"{item!r} is no instance of Stage"
+    if fault := _name_fault(item, "name"):
+        return fault
+    options = getattr(item, "options", None)
+    if not (isinstance(options, type) and dataclasses.is_dataclass(options)):
+        return f"{type(item).__name__}.options is no dataclass"
+    missing = (dataclasses.MISSING, dataclasses.MISSING)
+    if bare := [f.name for f in dataclasses.fields(options) if (f.default, f.default_factory) == missing]:
+        return f"{options.__name__}.{bare[0]} has no default"
+    return ""
+
+
+def format_fault(item: object) -> str:
+    """Say why `item` is no format; empty if it is one."""
+    from layoutkit.hooks.specs import Format
+
+    return _name_fault(item, "name") if isinstance(item, Format) else f"{item!r} is no instance of Format"
+
+
+def backend_fault(item: object) -> str:
+    """Say why `item` is no QP backend; empty if it is one."""
+    from layoutkit.sizing.qp import Backend
+
+    if not isinstance(item, Backend):
+        return f"{item!r} is no instance of Backend"
+    if not isinstance(getattr(item, "most_variables", None), int):
+        return f"{type(item).__name__}.most_variables is no whole number"
+    return _name_fault(item, "name")
+
+
+def _name_fault(item: object, attribute: str) -> str:
+    owner = item.__name__ if inspect.isclass(item) else type(item).__name__
+    name = getattr(item, attribute, None)
+    if not (isinstance(name, str) and _NAME.fullmatch(name)):
+        return f"{owner}.{attribute} is {name!r}, not a name of small letters, digits and hyphens"
+    if not isinstance(getattr(item, "summary", None), str):
+        return f"{owner}.summary is missing"
+    return ""

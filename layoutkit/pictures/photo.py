@@ -1,0 +1,142 @@
+"""A facade's photo: decoded once, then cut up for any number of pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from layoutkit.diagnostics import Diagnostic, Faulty, Place
+from layoutkit.model import Box, Facade, Region
+from layoutkit.pictures.grid import Cell, PixelGrid
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+
+class Photo:
+    """The part of a picture that a facade covers, in memory.
+
+    Parameters
+    ----------
+    facade
+        What the picture shows; without a `Facade.picture` it is taken to show the facade and nothing else.
+    image
+        The whole picture.
+
+    Attributes
+    ----------
+    image
+        The facade's part, as RGB.
+    grid
+        The facade's pixels in it.
+
+    Raises
+    ------
+    Faulty
+        If the facade's box is not inside the picture (LK010).
+    """
+
+    def __init__(self, facade: Facade, image: Image) -> None:
+        self.facade = facade
+        self.image = image.convert("RGB").crop(_part(facade, image))
+        self.grid = PixelGrid(facade.root.width, facade.root.height, *self.image.size)
+
+    @classmethod
+    def open(cls, facade: Facade, folder: Path) -> Photo:
+        """Read the picture that the facade names.
+
+        Parameters
+        ----------
+        folder
+            Where the facade's document lies.
+
+        Raises
+        ------
+        Faulty
+            If the facade names no picture, or the file cannot be read (LK010).
+        """
+        from PIL import Image, UnidentifiedImageError
+
+        if facade.picture is None:
+            raise _faulty(f"the facade {facade.name!r} names no picture", "add a picture element", None)
+        file = folder / facade.picture.file
+        try:
+            with Image.open(file) as image:
+                image.load()
+                return cls(facade, image)
+        except FileNotFoundError:
+            hint = "put the picture there, or correct the file attribute of the picture element"
+            raise _faulty("the picture is not there", hint, file) from None
+        except UnidentifiedImageError:
+            raise _faulty("this is no picture of a known format", "use PNG or JPEG", file) from None
+        except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+            # Pillow's decoders raise SyntaxError and ValueError for damaged files.
+            message = f"the picture cannot be read: {error}"
+            raise _faulty(message, "save it anew as PNG or JPEG", file) from None
+
+    def texture(self, source: Box, region: Region, size: tuple[int, int]) -> Image:
+        """Return the picture of a terminal.
+
+        Parameters
+        ----------
+        source
+            Where in the facade it comes from.
+        region
+            The terminal in its layout: its size, and whether its picture stretches or repeats.
+        size
+            Width and height in pixels.
+        """
+        from PIL.Image import Resampling
+
+        texture = self.image.crop(_at_least_one_pixel(self.grid.cell(source), self.image.size))
+        if region.fill == "repeat":
+            copies = (_copies(region.width, source.width), _copies(region.height, source.height))
+            texture = _repeated(texture, copies)
+        return texture if texture.size == size else texture.resize(size, Resampling.LANCZOS)
+
+
+def _part(facade: Facade, image: Image) -> Cell:
+    if facade.picture is None:
+        return 0, 0, image.width, image.height
+    left, top, right, bottom = (round(edge) for edge in facade.picture.box)
+    if not (0 <= left < right <= image.width and 0 <= top < bottom <= image.height):
+        raise _faulty(
+            f"the part {left} {top} {right} {bottom} is not inside the picture of "
+            f"{image.width} × {image.height} pixels",
+            "correct left, top, right and bottom of the picture element: pixels, y down",
+            Path(facade.picture.file),
+        )
+    return left, top, right, bottom
+
+
+def _at_least_one_pixel(cell: Cell, size: tuple[int, int]) -> Cell:
+    """Widen a cell that rounding left empty: a thin region still has a colour."""
+    left, top = min(cell[0], size[0] - 1), min(cell[1], size[1] - 1)
+    return left, top, max(cell[2], left + 1), max(cell[3], top + 1)
+
+
+def _copies(target: float, source: float) -> int:
+    return max(1, round(target / source))
+
+
+def _repeated(texture: Image, copies: tuple[int, int]) -> Image:
+    """Return copies side by side.
+
+    None is mirrored: a mirror image makes every seam match, but turns shadows and running bonds round, and
+    the eye finds the symmetry it makes sooner than a seam.
+    """
+    if copies == (1, 1):
+        return texture
+    from PIL import Image
+
+    width, height = texture.size
+    whole = Image.new("RGB", (width * copies[0], height * copies[1]))
+    for column in range(copies[0]):
+        for row in range(copies[1]):
+            whole.paste(texture, (column * width, row * height))
+    return whole
+
+
+def _faulty(message: str, hint: str, file: Path | None) -> Faulty:
+    place = Place(str(file)) if file is not None else None
+    return Faulty([Diagnostic("LK010", message, place, hint, topic="picture")])

@@ -1,0 +1,100 @@
+"""Pictures of facades and layouts in pixels: from the input's photo, or by label colours."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING
+
+from layoutkit.model import Facade, Layout, PlacedRegion, place
+from layoutkit.pictures.grid import Cell, PixelGrid
+from layoutkit.pictures.palette import colour_of, darker
+from layoutkit.pictures.photo import Photo
+from layoutkit.pictures.sources import sources
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+    from PIL.ImageDraw import ImageDraw
+
+#: Pixels a document unit where no photo gives them.
+DEFAULT_SCALE = {"m": 50.0, "px": 1.0}
+
+#: The longest side of a picture, in pixels, unless asked otherwise.
+LONGEST = 4096
+
+
+def render_png(
+    document: Facade | Layout, photo: Photo | None = None, *, scale: float = 1.0, longest: int = LONGEST
+) -> Image:
+    """Return a picture of a facade or layout.
+
+    With a photo, each terminal shows the photo's part that `sources` chooses for it, stretched or repeated as
+    its `fill` says; without one, terminals are coloured by label and thinly outlined.
+
+    Parameters
+    ----------
+    photo
+        The photo of the facade that a layout varies.
+    scale
+        Pixels a document unit, as a multiple of the photo's own (without one: 50 a metre, 1 a pixel).
+    longest
+        Greatest width or height in pixels; a larger picture is made smaller as a whole.
+
+    Raises
+    ------
+    Faulty
+        If a layout has a region that the photo's facade lacks.
+    """
+    grid = _grid(document, photo, scale, longest)
+    if photo is None:
+        return _by_labels(document, grid)
+    return _by_photo(document, photo, grid)
+
+
+def png_bytes(image: Image) -> bytes:
+    """Return the image as a PNG file: the same bytes for the same pixels."""
+    buffer = io.BytesIO()
+    image.save(buffer, "PNG", compress_level=6)
+    return buffer.getvalue()
+
+
+def _grid(document: Facade | Layout, photo: Photo | None, scale: float, longest: int) -> PixelGrid:
+    root = document.root
+    natural = photo.grid.scale if photo else (DEFAULT_SCALE[document.units],) * 2
+    wanted = max(root.width * natural[0], root.height * natural[1]) * scale
+    factor = scale * min(1.0, longest / wanted)
+    return PixelGrid.at(root.width, root.height, (natural[0] * factor, natural[1] * factor))
+
+
+def _by_photo(document: Facade | Layout, photo: Photo, grid: PixelGrid) -> Image:
+    from PIL import Image
+
+    canvas = Image.new("RGB", (grid.columns, grid.rows))
+    made: dict[tuple[str, tuple[int, int]], Image.Image] = {}
+    for placed, source in sources(document.root, photo.facade):
+        left, top, right, bottom = grid.cell(placed.box)
+        size = (right - left, bottom - top)
+        if min(size) == 0:
+            continue
+        # Replicas of one source differ by a pixel at most: most textures are made once.
+        if (key := (source.path, size)) not in made:
+            made[key] = photo.texture(source.box, placed.region, size)
+        canvas.paste(made[key], (left, top))
+    return canvas
+
+
+def _by_labels(document: Facade | Layout, grid: PixelGrid) -> Image:
+    from PIL import Image, ImageDraw
+
+    canvas = Image.new("RGB", (grid.columns, grid.rows))
+    draw = ImageDraw.Draw(canvas)
+    for placed in place(document.root):
+        if placed.region.terminal:
+            _fill(draw, placed, grid.cell(placed.box))
+    return canvas
+
+
+def _fill(draw: ImageDraw, placed: PlacedRegion, cell: Cell) -> None:
+    left, top, right, bottom = cell
+    if left < right and top < bottom:
+        colour = colour_of(placed.region)
+        draw.rectangle((left, top, right - 1, bottom - 1), colour, darker(colour), 1)

@@ -1,0 +1,81 @@
+"""Where in the input the picture of each region of a layout comes from."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+
+from layoutkit.diagnostics import Diagnostic, Faulty, did_you_mean
+from layoutkit.model import Box, Facade, PlacedRegion, Region
+from layoutkit.model.region import place_children
+
+_Children = Mapping[str, Sequence[PlacedRegion]]
+
+
+def sources(root: Region, facade: Facade) -> Iterator[tuple[PlacedRegion, PlacedRegion]]:
+    """Yield every terminal of a layout with the place in the facade that its picture comes from.
+
+    Sources are chosen from the root down: a region's source lies inside its parent's, so that a replicated
+    bay or floor comes whole from one bay or floor of the input. Among like siblings, the k-th of a layout
+    takes the k-th of the input, counted round where the input has fewer. A layout with the input's own words
+    therefore shows the input.
+
+    Parameters
+    ----------
+    root
+        The layout's root region; the facade's own is allowed.
+    facade
+        What it is a variation of.
+
+    Raises
+    ------
+    Faulty
+        If the layout has a region that the facade lacks (LK501).
+    """
+    if root.symbol != facade.root.symbol:
+        raise _unknown(root.symbol, root.symbol, facade)
+
+    # Layouts hold many replicas: their sources are few, and each is split once.
+    inside: dict[str, _Children] = {}
+    pending = [(_placed_root(root), _placed_root(facade.root))]
+    while pending:
+        placed, source = pending.pop()
+        if placed.region.terminal:
+            yield placed, source
+            continue
+        if source.path not in inside:
+            inside[source.path] = _children_by_symbol(source)
+        seen: Counter[str] = Counter()
+        pairs = []
+        for child in place_children(placed):
+            symbol = child.region.symbol
+            like = inside[source.path].get(symbol)
+            if like is None:
+                raise _unknown(child.symbol_path, child.path, facade)
+            pairs.append((child, like[seen[symbol] % len(like)]))
+            seen[symbol] += 1
+        pending.extend(reversed(pairs))
+
+
+def _placed_root(root: Region) -> PlacedRegion:
+    return PlacedRegion(root.symbol, root.symbol, root, Box(0.0, 0.0, root.width, root.height))
+
+
+def _children_by_symbol(parent: PlacedRegion) -> _Children:
+    found: defaultdict[str, list[PlacedRegion]] = defaultdict(list)
+    for child in place_children(parent):
+        found[child.region.symbol].append(child)
+    return found
+
+
+def _unknown(symbol_path: str, path: str, facade: Facade) -> Faulty:
+    return Faulty(
+        [
+            Diagnostic(
+                "LK501",
+                f"{path} has no picture: the facade {facade.name!r} has no region {symbol_path}",
+                hint=did_you_mean(symbol_path, facade.regions),
+                topic="picture",
+            )
+        ]
+    )

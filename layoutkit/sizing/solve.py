@@ -1,0 +1,198 @@
+"""Sizing of one axis: solve, look for overlapping regions out of line, add their rows, solve again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from layoutkit.sizing.arrangement import Slot, add
+from layoutkit.sizing.backends import polish
+from layoutkit.sizing.qp import QP, Backend, Floats, Solution
+from layoutkit.sizing.reduction import Contradiction, Pull, Reduced, reduce
+from layoutkit.sizing.rules import Aligned, Form, Range
+
+#: Rows hold to this share of the facade's size in every accepted solution: well below what is promised.
+RESIDUAL = 1e-8
+#: Regions overlap, or are out of line, from this share of the facade's size on.
+OVERLAP = 2e-7
+#: Pairs that overlap by this share of the smaller one are taken to belong together.
+_SURE = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Axis:
+    """The sizing of one axis.
+
+    Attributes
+    ----------
+    number
+        0 for x, 1 for y.
+    lines
+        How many cut lines there are.
+    size
+        The facade's extent.
+    """
+
+    number: int
+    lines: int
+    size: float
+    ranges: Sequence[Range]
+    pulls: Sequence[Pull]
+    aligned: Sequence[Aligned]
+
+
+@dataclass
+class Budget:
+    """How many QPs may still be solved."""
+
+    left: int
+
+
+@dataclass(frozen=True, eq=False)
+class Sized:
+    """Positions of all lines; or None, with the rules at fault where they are known.
+
+    Attributes
+    ----------
+    exhausted
+        Whether the budget ended the attempt, so that nothing is proved.
+    """
+
+    positions: Floats | None
+    conflict: Contradiction | None = None
+    exhausted: bool = False
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class _Pair:
+    """A pair out of line: by how much it overlaps, and who it is."""
+
+    overlap: float
+    sure: bool
+    first: Slot = field(compare=False)
+    second: Slot = field(compare=False)
+    rule: Aligned = field(compare=False)
+
+
+def size_axis(axis: Axis, backends: Sequence[Backend], budget: Budget) -> Sized:
+    """Find positions that keep every range and alignment, nearest to the pulls.
+
+    An alignment is a choice of three: the pair is in line, or one stands before the other, or after it. The
+    first is tried first, for all surely overlapping pairs at once.
+    """
+    return _solve(axis, (), backends, budget)
+
+
+def _solve(axis: Axis, extra: tuple[Range, ...], backends: Sequence[Backend], budget: Budget) -> Sized:
+    if budget.left <= 0:
+        return Sized(None, exhausted=True)
+    budget.left -= 1
+    reduced = reduce(axis.lines, axis.size, (*axis.ranges, *extra), axis.pulls)
+    if isinstance(reduced, Contradiction):
+        return Sized(None, reduced)
+    solution = minimum(reduced.problem, backends)
+    if solution.x is None:
+        conflict = Contradiction(_origins(reduced), 0.0)
+        return Sized(None, conflict, exhausted=solution.status == "unknown")
+    positions = reduced.positions(solution.x, axis.size)
+    pairs = sorted(out_of_line(axis, positions), reverse=True)
+    if not pairs:
+        return Sized(positions)
+    sure = [pair for pair in pairs if pair.sure]
+    if sure:
+        together = tuple(row for pair in sure for row in _in_line(pair))
+        found = _solve(axis, (*extra, *together), backends, budget)
+        if found.positions is not None:
+            return found
+    return _branch(axis, extra, pairs[0], backends, budget)
+
+
+def _branch(
+    axis: Axis, extra: tuple[Range, ...], pair: _Pair, backends: Sequence[Backend], budget: Budget
+) -> Sized:
+    found = Sized(None)
+    for rows in (_in_line(pair), *_apart(pair)):
+        found = _solve(axis, (*extra, *rows), backends, budget)
+        if found.positions is not None or found.exhausted:
+            return found
+    return found
+
+
+def minimum(problem: QP, backends: Sequence[Backend]) -> Solution:
+    """Return the minimiser, its residual checked.
+
+    A backend that fails, or whose answer does not hold, hands over to the next; where none can tell, the
+    status is ``unknown``.
+    """
+    if problem.rows.shape[1] == 0:
+        nothing = np.zeros(0)
+        kept = problem.residual(nothing) <= RESIDUAL
+        return Solution("solved", nothing) if kept else Solution("infeasible")
+    if np.any(problem.least > problem.most + RESIDUAL):
+        return Solution("infeasible")
+    for backend in backends:
+        if problem.rows.shape[1] > backend.most_variables:
+            continue
+        solution = backend.solve(problem)
+        if solution.status == "infeasible":
+            return Solution("infeasible")
+        if solution.x is not None and np.all(np.isfinite(solution.x)):
+            x = polish(problem, solution.x)
+            if problem.residual(x) <= RESIDUAL:
+                return Solution("solved", x)
+    return Solution("unknown")
+
+
+def out_of_line(axis: Axis, positions: Floats) -> Iterator[_Pair]:
+    """Yield every pair that overlaps and whose lines do not coincide."""
+    tolerance = OVERLAP * axis.size
+    for rule in axis.aligned:
+        first, second = (_intervals(slots, axis.number, positions) for slots in (rule.first, rule.second))
+        starts = np.maximum(first[:, None, 0], second[None, :, 0])
+        overlap = np.minimum(first[:, None, 1], second[None, :, 1]) - starts
+        gap = np.zeros_like(overlap)
+        for share in rule.lines:
+            lines = [(1 - share) * ends[:, 0] + share * ends[:, 1] for ends in (first, second)]
+            gap = np.maximum(gap, np.abs(lines[0][:, None] - lines[1][None, :]))
+        smaller = np.minimum((first[:, 1] - first[:, 0])[:, None], (second[:, 1] - second[:, 0])[None, :])
+        for i, j in np.argwhere((overlap > tolerance) & (gap > tolerance)):
+            if rule.first[i] is not rule.second[j]:
+                sure = bool(overlap[i, j] >= _SURE * smaller[i, j])
+                yield _Pair(float(overlap[i, j]), sure, rule.first[i], rule.second[j], rule)
+
+
+def _intervals(slots: Sequence[Slot], axis: int, positions: Floats) -> Floats:
+    return np.array([[value(form, positions) for form in slot.spans[axis]] for slot in slots])
+
+
+def value(form: Form, positions: Floats) -> float:
+    """Return the value of a form."""
+    return float(sum(factor * positions[line] for line, factor in form.items()))
+
+
+def _in_line(pair: _Pair) -> tuple[Range, ...]:
+    axis = pair.rule.axis
+    rows = []
+    for share in pair.rule.lines:
+        difference = add(_line(pair.first, axis, share), _line(pair.second, axis, share), -1.0)
+        rows.append(Range(axis, difference, 0.0, 0.0, pair.rule.origin))
+    return tuple(rows)
+
+
+def _apart(pair: _Pair) -> Iterator[tuple[Range, ...]]:
+    axis, origin = pair.rule.axis, pair.rule.origin
+    for before, after in ((pair.first, pair.second), (pair.second, pair.first)):
+        gap = add(after.spans[axis][0], before.spans[axis][1], -1.0)
+        yield (Range(axis, gap, 0.0, float("inf"), origin),)
+
+
+def _line(slot: Slot, axis: int, share: float) -> Form:
+    start, end = slot.spans[axis]
+    return add({k: v * (1 - share) for k, v in start.items() if share < 1}, end, share) if share else start
+
+
+def _origins(reduced: Reduced) -> tuple[Any, ...]:
+    return tuple(dict.fromkeys(o for origins in reduced.origins for o in origins if o is not None))

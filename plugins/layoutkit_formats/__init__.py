@@ -1,0 +1,1 @@
+"""Annotations made by others, read as facades: CMP boxes and label masks."""

@@ -1,0 +1,194 @@
+"""Finite machines: the words of a group of regions as an explicit, trimmed automaton."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layoutkit.constraints.word_rules import Automaton, State
+
+Ints = NDArray[np.int64]
+
+#: More states than this would not fit the tables: such a model is refused.
+MOST_STATES = 50_000
+
+
+class TooManyStates(Exception):  # noqa: N818 - names the fact
+    """The automata of a region have too many states together."""
+
+
+class Exactly:
+    """Accepts one word only: the input's, where no sequence speaks of a region."""
+
+    def __init__(self, word: Sequence[str]) -> None:
+        self.word = tuple(word)
+
+    def start(self) -> int:
+        """Return how many symbols are read: none."""
+        return 0
+
+    def step(self, state: int, symbol: str) -> int | None:
+        """Return the next position, if the symbol is the word's."""
+        fits = state < len(self.word) and self.word[state] == symbol
+        return state + 1 if fits else None
+
+    def accepts(self, state: int) -> bool:
+        """Tell whether the word is read whole."""
+        return state == len(self.word)
+
+
+class Counting:
+    """Accepts words in which counted regions occur `least` to `most` times.
+
+    Parameters
+    ----------
+    counts
+        Least and greatest number of counted regions inside one region of each symbol.
+    """
+
+    def __init__(self, counts: Mapping[str, tuple[float, float]], least: float, most: float) -> None:
+        self.counts, self.least, self.most = counts, least, most
+
+    def start(self) -> tuple[float, float]:
+        """Return least and greatest count so far."""
+        return (0.0, 0.0)
+
+    def step(self, state: tuple[float, float], symbol: str) -> tuple[float, float] | None:
+        """Add the symbol's counts; past `most` no word goes on, past `least` the greatest does not matter."""
+        low, high = self.counts[symbol]
+        low, high = state[0] + low, min(state[1] + high, max(self.least, 0.0))
+        if low > self.most + 1e-9:
+            return None
+        return (low if np.isfinite(self.most) else 0.0, high)
+
+    def accepts(self, state: tuple[float, float]) -> bool:
+        """Tell whether the count can be large enough."""
+        return state[1] >= self.least - 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Machine:
+    """A deterministic automaton as arrays; every state lies on a way from the start (0) to acceptance.
+
+    Attributes
+    ----------
+    letters
+        The alphabet; columns of `next` in that order.
+    next
+        State after each letter, states × letters; -1 where no word goes on so.
+    accepting
+        Whether a word may end in each state.
+    """
+
+    letters: tuple[str, ...]
+    next: Ints
+    accepting: NDArray[np.bool_]
+
+    @property
+    def empty(self) -> bool:
+        """Whether it accepts no word at all."""
+        return len(self.accepting) == 0
+
+    def only_word(self) -> tuple[str, ...] | None:
+        """Return the word, if it accepts exactly one."""
+        word: list[str] = []
+        state = 0
+        while not self.empty and len(word) <= len(self.accepting):
+            ways = np.flatnonzero(self.next[state] >= 0)
+            if len(ways) == 0:
+                return tuple(word)
+            if len(ways) > 1 or self.accepting[state]:
+                return None
+            word.append(self.letters[ways[0]])
+            state = int(self.next[state, ways[0]])
+        return None
+
+
+def build(letters: Sequence[str], automata: Sequence[tuple[Automaton, Mapping[str, str]]]) -> Machine:
+    """Return the machine of the words that all automata accept.
+
+    Parameters
+    ----------
+    letters
+        The alphabet.
+    automata
+        Each with the symbol by which it knows each letter.
+
+    Raises
+    ------
+    TooManyStates
+        If their product has more than `MOST_STATES` states.
+    """
+    start: tuple[State, ...] = tuple(automaton.start() for automaton, _ in automata)
+    numbers: dict[tuple[State, ...], int] = {start: 0}
+    rows: list[list[int]] = []
+    accepting: list[bool] = []
+    pending = deque([start])
+    while pending:
+        states = pending.popleft()
+        accepting.append(all(a.accepts(s) for (a, _), s in zip(automata, states, strict=True)))
+        row = []
+        for letter in letters:
+            after = _step(automata, states, letter)
+            if after is not None and after not in numbers:
+                if len(numbers) >= MOST_STATES:
+                    raise TooManyStates(f"more than {MOST_STATES} states")
+                numbers[after] = len(numbers)
+                pending.append(after)
+            row.append(-1 if after is None else numbers[after])
+        rows.append(row)
+    return trim(tuple(letters), np.array(rows, dtype=np.int64), np.array(accepting, dtype=bool))
+
+
+def _step(
+    automata: Sequence[tuple[Automaton, Mapping[str, str]]], states: tuple[State, ...], letter: str
+) -> tuple[State, ...] | None:
+    after: list[Any] = []
+    for (automaton, symbols), state in zip(automata, states, strict=True):
+        reached = automaton.step(state, symbols[letter])
+        if reached is None:
+            return None
+        after.append(reached)
+    return tuple(after)
+
+
+def trim(letters: tuple[str, ...], following: Ints, accepting: NDArray[np.bool_]) -> Machine:
+    """Drop the states from which no word can be completed, and unite those that go on alike."""
+    alive = accepting.copy()
+    while True:
+        more = alive | np.any((following >= 0) & alive[following], axis=1)
+        if np.array_equal(more, alive):
+            break
+        alive = more
+    if not len(alive) or not alive[0]:
+        return Machine(letters, np.zeros((0, len(letters)), np.int64), np.zeros(0, bool))
+    following = np.where((following >= 0) & alive[following], following, -1)
+    classes = _equivalent(following, accepting, alive)
+    first = np.unique(classes[alive], return_index=True)[1]
+    keep = np.flatnonzero(alive)[first]
+    order = np.argsort(keep, kind="stable")
+    keep = keep[order]
+    renumber = np.full(classes.max() + 2, -1, dtype=np.int64)
+    renumber[classes[keep]] = np.arange(len(keep))
+    targets = np.where(following[keep] >= 0, renumber[classes[following[keep]]], -1)
+    return Machine(letters, targets, accepting[keep])
+
+
+def _equivalent(following: Ints, accepting: NDArray[np.bool_], alive: NDArray[np.bool_]) -> Ints:
+    """Return a class number for each state: the same where the same words complete (Moore's refinement)."""
+    classes = np.where(alive, accepting.astype(np.int64), -1)
+    count = 0
+    while True:
+        reached = np.where(following >= 0, classes[following], -1)
+        signature = np.column_stack([classes, reached])
+        refined = np.unique(signature[alive], axis=0, return_inverse=True)[1].reshape(-1)
+        classes = np.full(len(alive), -1, dtype=np.int64)
+        classes[alive] = refined
+        if refined.max() + 1 == count:
+            return classes
+        count = int(refined.max()) + 1

@@ -1,0 +1,261 @@
+"""A facade made ready for the search: groups of regions that share a word, size ranges, counts."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from layoutkit.constraints import Constraint, Size
+from layoutkit.constraints.defaults import effective_constraints
+from layoutkit.constraints.size import axis_of, input_size
+from layoutkit.constraints.word_rules import Admits, Agree, Automaton, Counts, WordRule
+from layoutkit.model import Facade
+from layoutkit.sizing.arrangement import AXIS
+from layoutkit_relayout.machine import Exactly, Machine, build
+
+Interval = tuple[float, float]
+ANY: Interval = (0.0, math.inf)
+
+
+@dataclass(frozen=True, eq=False)
+class WordGroup:
+    """Composite regions that share one word: a single region, or several whose arrangements agree.
+
+    Attributes
+    ----------
+    members
+        Their symbol paths.
+    symbols
+        For each member, its own symbol by letter.
+    automata
+        Each rule on the word, with the symbols by which it knows the letters.
+    machine
+        The words that the automata accept, counts aside.
+    """
+
+    members: tuple[str, ...]
+    symbols: Mapping[str, Mapping[str, str]]
+    automata: tuple[tuple[Automaton, Mapping[str, str]], ...]
+    machine: Machine
+
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """The shared alphabet."""
+        return self.machine.letters
+
+    @cached_property
+    def forced(self) -> tuple[str, ...] | None:
+        """The word, if there is only one."""
+        return self.machine.only_word()
+
+    def word_of(self, member: str, word: Sequence[str]) -> tuple[str, ...]:
+        """Return the group's word in the symbols of one member."""
+        symbols = self.symbols[member]
+        return tuple(symbols[letter] for letter in word)
+
+
+class Model:
+    """What the search needs to know of a facade; made once, used for every variation.
+
+    Attributes
+    ----------
+    constraints
+        The facade's, and those that hold by default.
+    groups, group_of
+        The word groups, and which one each composite path belongs to.
+    counts
+        The frequency rules.
+    """
+
+    def __init__(self, facade: Facade) -> None:
+        self.facade = facade
+        self.constraints = effective_constraints(facade)
+        rules = word_rules(facade, self.constraints)
+        self.counts = tuple(rule for rule in rules if isinstance(rule, Counts))
+        self.groups = tuple(_groups(facade, rules))
+        self.group_of = {path: group for group in self.groups for path in group.members}
+        self._bounds = _own_bounds(facade, self.constraints)
+        self._hulls: dict[tuple[str, int], Interval] = {}
+
+    def axis(self, path: str) -> int:
+        """Return the axis that a composite region splits."""
+        return AXIS[self.facade.regions[path].split or "columns"]
+
+    def neighbours(self, group: WordGroup) -> frozenset[WordGroup]:
+        """Return the groups whose words a constraint ties to the group's, through sizes or places."""
+        return self._neighbours.get(group, frozenset())
+
+    @cached_property
+    def _neighbours(self) -> dict[WordGroup, frozenset[WordGroup]]:
+        found: defaultdict[WordGroup, set[WordGroup]] = defaultdict(set)
+        for constraint in self.constraints:
+            for axis, paths in constraint.ties(self.facade):
+                tied = {group for path in paths for group in self._governing(path, axis)}
+                for group in tied:
+                    found[group] |= tied - {group}
+        return {group: frozenset(others) for group, others in found.items()}
+
+    def _governing(self, path: str, axis: int) -> Iterator[WordGroup]:
+        """Yield the groups with a choice whose words place the region along an axis."""
+        while path:
+            group = self.group_of.get(path)
+            if group is not None and group.forced is None and self.axis(path) == axis:
+                yield group
+            path = path.rpartition("/")[0]
+
+    def centre(self, path: str) -> float:
+        """Return the size along the parent's split that a region should have, all else aside."""
+        least, most = self.hull(path, axis_of(self.facade, path))
+        return min(max(input_size(self.facade, path), least), most)
+
+    def hull(self, path: str, axis: int) -> Interval:
+        """Return an interval that holds every size the region can have along an axis."""
+        key = (path, axis)
+        if key not in self._hulls:
+            own = self._bounds[path] if axis_of(self.facade, path) == axis else ANY
+            self._hulls[key] = meet(own, self._inner(path, axis))
+        return self._hulls[key]
+
+    def _inner(self, path: str, axis: int) -> Interval:
+        region = self.facade.regions[path]
+        if region.split is None:
+            return ANY
+        machine = self.group_of[path].machine
+        symbols = self.group_of[path].symbols[path]
+        inner = [self.hull(f"{path}/{symbols[letter]}", axis) for letter in machine.letters]
+        if AXIS[region.split] == axis:
+            return shortest(machine, [low for low, _ in inner]), longest(machine, [high for _, high in inner])
+        forced = self.group_of[path].forced
+        if forced is not None:
+            used = [inner[machine.letters.index(letter)] for letter in set(forced)]
+            return max(low for low, _ in used), min(high for _, high in used)
+        return min(low for low, _ in inner), max(high for _, high in inner)
+
+    def content(self, path: str, counted: frozenset[str]) -> Interval:
+        """Return least and greatest number of counted regions in one region of the path, itself included."""
+        own = float(path in counted)
+        region = self.facade.regions[path]
+        if region.split is None or not any(other.startswith(f"{path}/") for other in counted):
+            return own, own
+        group = self.group_of[path]
+        inner = [self.content(f"{path}/{group.symbols[path][letter]}", counted) for letter in group.letters]
+        if group.forced is not None:
+            word = [inner[group.letters.index(letter)] for letter in group.forced]
+            return own + sum(low for low, _ in word), own + sum(high for _, high in word)
+        machine = group.machine
+        least = shortest(machine, [low for low, _ in inner])
+        return own + least, own + longest(machine, [high for _, high in inner])
+
+    def weights(self, group: WordGroup) -> list[float]:
+        """Return a weight for each letter: as often as it occurs in the input, 1 on average."""
+        member = group.members[0]
+        seen = Counter(self.facade.regions[member].word)
+        symbols = [group.symbols[member][letter] for letter in group.letters]
+        total = sum(seen[symbol] for symbol in symbols)
+        return [seen[symbol] * len(symbols) / total for symbol in symbols]
+
+
+def meet(one: Interval, other: Interval) -> Interval:
+    """Return the intersection of two intervals; its ends cross if it is empty."""
+    return max(one[0], other[0]), min(one[1], other[1])
+
+
+def word_rules(facade: Facade, constraints: Sequence[Constraint]) -> list[WordRule]:
+    """Return what all constraints, kind by kind, ask of arrangements."""
+    kinds: defaultdict[type[Constraint], list[Constraint]] = defaultdict(list)
+    for constraint in constraints:
+        kinds[type(constraint)].append(constraint)
+    return [rule for kind, own in kinds.items() for rule in kind.word_rules(own, facade)]
+
+
+def _own_bounds(facade: Facade, constraints: Sequence[Constraint]) -> dict[str, Interval]:
+    bounds = dict.fromkeys(facade.regions, ANY)
+    for constraint in constraints:
+        if isinstance(constraint, Size):
+            for path in facade.select(constraint.of):
+                bounds[path] = meet(bounds[path], constraint.bounds(facade, path))
+    return bounds
+
+
+def _groups(facade: Facade, rules: Sequence[WordRule]) -> list[WordGroup]:
+    admitted: defaultdict[str, list[Automaton]] = defaultdict(list)
+    for rule in rules:
+        if isinstance(rule, Admits):
+            admitted[rule.path].append(rule.automaton)
+    composites = [path for path, region in facade.regions.items() if region.split is not None]
+    for path in composites:
+        if path not in admitted:
+            admitted[path].append(Exactly(facade.regions[path].word))
+    leader = {path: path for path in composites}
+    letters = {path: {c.symbol: c.symbol for c in facade.regions[path].children} for path in composites}
+    for rule in rules:
+        if isinstance(rule, Agree):
+            _join(rule, leader, letters)
+    together: defaultdict[str, list[str]] = defaultdict(list)
+    for path in composites:
+        together[leader[path]].append(path)
+    return [_group(tuple(members), letters, admitted) for members in together.values()]
+
+
+def _join(rule: Agree, leader: dict[str, str], letters: dict[str, dict[str, str]]) -> None:
+    """Unite regions whose words agree; their letters are those of the first."""
+    first, *others = rule.symbols
+    for other in others:
+        if leader[first] == leader[other]:
+            continue
+        # Letters of the first's leader, by the name that this rule gives them.
+        named = {symbol: name for name, symbol in rule.symbols[first].items()}
+        own = {named[symbol]: letter for letter, symbol in letters[first].items() if symbol in named}
+        theirs = {symbol: name for name, symbol in rule.symbols[other].items()}
+        renamed = {letter: own[theirs[symbol]] for letter, symbol in letters[other].items()}
+        old = leader[other]
+        for path in [p for p, first_of in leader.items() if first_of == old]:
+            leader[path] = leader[first]
+            letters[path] = {renamed[letter]: symbol for letter, symbol in letters[path].items()}
+
+
+def _group(
+    members: tuple[str, ...],
+    letters: Mapping[str, Mapping[str, str]],
+    admitted: Mapping[str, Sequence[Automaton]],
+) -> WordGroup:
+    symbols = {member: letters[member] for member in members}
+    shared = tuple(letter for letter in symbols[members[0]] if all(letter in symbols[m] for m in members))
+    automata = tuple((automaton, symbols[m]) for m in members for automaton in admitted[m])
+    return WordGroup(members, symbols, automata, build(shared, automata))
+
+
+def shortest(machine: Machine, sizes: Sequence[float]) -> float:
+    """Return the least sum of sizes over all words; infinite if there is none."""
+    return _extreme(machine, sizes)
+
+
+def longest(machine: Machine, sizes: Sequence[float]) -> float:
+    """Return the greatest sum of sizes over all words; infinite where letters repeat without end."""
+    return -_extreme(machine, [-size for size in sizes])
+
+
+def _extreme(machine: Machine, sizes: Sequence[float]) -> float:
+    """Bellman-Ford over the machine: least sum from each state to acceptance; -inf on a falling cycle."""
+    if machine.empty:
+        return math.inf
+    moves = [
+        (state, int(after), sizes[letter])
+        for state, row in enumerate(machine.next)
+        for letter, after in enumerate(row)
+        if after >= 0
+    ]
+    best = [0.0 if accepting else math.inf for accepting in machine.accepting]
+    for _ in range(len(best) + 1):
+        changed = False
+        for state, after, size in moves:
+            # Every state completes a word, so a sum can only be infinite through a size that is.
+            if best[after] < math.inf and size + best[after] < best[state] - 1e-12:
+                best[state] = size + best[after]
+                changed = True
+        if not changed:
+            return best[0]
+    return -math.inf

@@ -1,0 +1,15 @@
+"""What this package adds to layoutkit: the stages `infer` and `relayout`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from layoutkit.hooks.specs import Stage, hookimpl
+
+
+@hookimpl
+def layoutkit_stages() -> Iterable[Stage]:
+    """Return the stages."""
+    from layoutkit_relayout.stage import Relayout
+
+    return (Relayout(),)

@@ -1,0 +1,113 @@
+"""The relayout stage: variations of a facade at a given size."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from layoutkit.diagnostics import Diagnostic
+from layoutkit.hooks.specs import Outcome, Stage
+from layoutkit.model import Facade, Layout, Measure
+
+#: Words tried for one variation before the search gives up.
+NODE_LIMIT = 2000
+
+
+@dataclass(frozen=True)
+class RelayoutOptions:
+    """Options of the relayout stage.
+
+    Attributes
+    ----------
+    count
+        How many variations.
+    first
+        Index of the first one: variation k of a seed is the same whichever others are made.
+    width, height
+        Target size, absolute or a percentage of the input's.
+    seed
+        Start of all random choices.
+    node_limit
+        Words tried for one variation before the search gives up.
+    """
+
+    count: int = 8
+    first: int = 0
+    width: Measure = field(default=Measure(1.0, relative=True))
+    height: Measure = field(default=Measure(1.0, relative=True))
+    seed: int = 0
+    node_limit: int = NODE_LIMIT
+
+
+class Relayout(Stage):
+    """Lays a facade out anew (Bao, Schwarz and Wonka 2013, section 7)."""
+
+    name: ClassVar[str] = "relayout"
+    summary: ClassVar[str] = "Makes variations of a facade that keep its constraints."
+    options: ClassVar[type] = RelayoutOptions
+
+    def run(self, facade: Facade, options: RelayoutOptions) -> Iterator[Outcome]:
+        """Yield `count` outcomes in the order of their index, every layout checked.
+
+        Parameters
+        ----------
+        facade
+            With its constraints; without any, terminals keep to the default sizes and words to the input's.
+        """
+        from layoutkit.sizing.backends import BACKENDS
+        from layoutkit_relayout.model import Model
+        from layoutkit_relayout.search import Search
+
+        start = time.perf_counter()
+        size = (options.width.of(facade.root.width), options.height.of(facade.root.height))
+        search = Search(Model(facade), size, BACKENDS)
+        for index in range(options.first, options.first + options.count):
+            found = search.variation(options.seed, index, options.node_limit)
+            seconds = time.perf_counter() - start
+            if found.root is None:
+                yield Outcome(found.status, None, (_none(facade, size, found.status, found.nodes),), seconds)
+            else:
+                layout = Layout(
+                    f"{facade.name}-{index + 1}",
+                    facade.units,
+                    found.root,
+                    facade,
+                    seed=options.seed,
+                    index=index,
+                )
+                yield _checked(layout, seconds)
+            start = time.perf_counter()
+
+
+def _checked(layout: Layout, seconds: float) -> Outcome:
+    broken = layout.violations()
+    if not broken:
+        return Outcome("found", layout, (), seconds)
+    first = broken[0]
+    about = Diagnostic(
+        "LK901",
+        f"the search made a layout that breaks {len(broken)} rules; it is dropped",
+        hint="this is a fault of layoutkit: please report it with the document",
+        topic="search",
+        details=(f"{first.path}: {first.message} ({first.constraint or 'rule of every layout'})",),
+    )
+    return Outcome("limit", None, (about,), seconds)
+
+
+def _none(facade: Facade, size: tuple[float, float], status: str, nodes: int) -> Diagnostic:
+    at = f"{size[0]:g} × {size[1]:g} {facade.units}"
+    if status == "infeasible":
+        return Diagnostic(
+            "LK203",
+            f"these constraints cannot hold together at {at}",
+            hint="ask for another size, widen size ranges, or allow more arrangements by further sequences",
+            topic="search",
+        )
+    return Diagnostic(
+        "LK601",
+        f"no layout was found at {at} within {nodes} words tried",
+        hint="raise the node limit, or relax a constraint",
+        topic="search",
+    )
