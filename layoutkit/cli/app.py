@@ -5,39 +5,53 @@ from __future__ import annotations
 import os
 import sys
 import traceback
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated
 
 import typer
 
 from layoutkit import __version__
-from layoutkit.cli import console, usage
-from layoutkit.cli.convert import convert
+from layoutkit.cli import (
+    console,
+    convert,
+    infer,
+    inspect,
+    plugins,
+    render,
+    samples,
+    schema,
+    usage,
+    validate,
+    vary,
+)
 from layoutkit.cli.exits import Exit, exit_of
-from layoutkit.cli.infer import infer
-from layoutkit.cli.inspect import inspect
-from layoutkit.cli.plugins import plugins
-from layoutkit.cli.render import render
-from layoutkit.cli.samples import samples
-from layoutkit.cli.schema import schema
 from layoutkit.cli.session import Session
-from layoutkit.cli.validate import validate
-from layoutkit.cli.vary import vary
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 
-COMMANDS = (samples, convert, infer, vary, inspect, validate, render, plugins, schema)
+#: Every command and its examples, in the order in which a newcomer meets them.
+COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
+    (samples.samples, samples.EXAMPLES),
+    (vary.vary, vary.EXAMPLES),
+    (convert.convert, convert.EXAMPLES),
+    (infer.infer, infer.EXAMPLES),
+    (inspect.inspect, inspect.EXAMPLES),
+    (validate.validate, validate.EXAMPLES),
+    (render.render, render.EXAMPLES),
+    (plugins.plugins, plugins.EXAMPLES),
+    (schema.schema, schema.EXAMPLES),
+)
 
 app = typer.Typer(
     name="layoutkit",
     help="Make many plausible variations of one segmented facade.",
-    epilog="First steps: `layoutkit samples plain -o plain`, then `layoutkit vary plain/facade.xml -n 8 -o out`.",
+    epilog="First: `layoutkit samples plain -o plain`, then `layoutkit vary plain/facade.xml -n 8 -o out`.",
     invoke_without_command=True,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in COMMANDS:
-    app.command(epilog=getattr(command, "examples", None))(command)
+for command, examples in COMMANDS:
+    app.command(epilog=examples)(command)
 
 
 def _show_version(wanted: bool) -> None:
@@ -64,7 +78,7 @@ def _options(
     if strict:
         Session.of(context).severity = Severity.ERROR
     if context.invoked_subcommand is None:
-        typer.echo(context.get_help(), err=True)
+        typer.echo(context.get_help())
         raise typer.Exit(Exit.USAGE)
 
 
@@ -79,26 +93,30 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     session = Session()
     try:
-        try:
-            code = _run(given, session)
-        except Exception as error:
-            if isinstance(error, BrokenPipeError):
-                raise
-            code = _fail(error, session, "--json" in given)
+        code = _run(given, session)
         sys.stdout.flush()
         return code
     except BrokenPipeError:
         # Whoever read our output has gone: what is still buffered goes nowhere, and without a message.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return Exit.BROKEN_PIPE
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, typer.Abort):
         return Exit.INTERRUPTED
 
 
 def _run(arguments: list[str], session: Session) -> int:
-    code = app(arguments, prog_name="layoutkit", standalone_mode=False, obj=session)
-    session.report()
-    return int(code or Exit.DONE)
+    try:
+        code = app(arguments, prog_name="layoutkit", standalone_mode=False, obj=session)
+        session.report()
+        return int(code or Exit.DONE)
+    except SystemExit as stop:  # typer's own way to end where a pipe is broken
+        if isinstance(stop.__context__, BrokenPipeError):
+            raise BrokenPipeError from stop
+        raise
+    except (BrokenPipeError, typer.Abort):
+        raise
+    except Exception as error:  # no traceback reaches a user: a diagnostic says whose fault it is
+        return _fail(error, session, "--json" in arguments)
 
 
 def _fail(error: Exception, session: Session, as_json: bool) -> int:
@@ -114,7 +132,7 @@ def _diagnosed(error: Exception, session: Session) -> Iterable[Diagnostic]:
     if isinstance(error, Faulty):
         return error.diagnostics
     if isinstance(error, usage.UsageFault):
-        return [usage.diagnosed(error, tuple(command.__name__ for command in COMMANDS))]
+        return [usage.diagnosed(error, [command.__name__ for command, _ in COMMANDS])]
     from layoutkit.hooks import blame
 
     if os.environ.get(blame.DEBUG):

@@ -102,28 +102,17 @@ class Session:
 
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            documents.save(path, data)
         except OSError as error:
-            raise Faulty([unwritable(path, error)]) from error
+            raise Faulty([unwritable(path.parent, error)]) from error
+        documents.save(path, data)
 
 
 def unwritable(path: Path, error: OSError) -> Diagnostic:
-    """Return the diagnostic of a file that cannot be written."""
+    """Return the diagnostic of a file or folder that cannot be written."""
     return Diagnostic(
-        "LK704",
+        "LK008",
         f"cannot be written: {error.strerror or error}",
         Place(str(path)),
-        "name another file with -o, or make room and permissions for this one",
-        topic="usage",
-    )
-
-
-def unreadable(path: Path, error: OSError) -> Diagnostic:
-    """Return the diagnostic of a file that cannot be read."""
-    return Diagnostic(
-        "LK001",
-        f"cannot be read: {error.strerror or error}",
-        Place(str(path)),
-        "is this the right path?",
+        "name another place with -o, or make room and permissions for this one",
         topic="file",
     )

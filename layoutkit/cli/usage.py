@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import typer
 
 from layoutkit.diagnostics import Diagnostic, did_you_mean
@@ -11,7 +13,7 @@ from layoutkit.diagnostics import Diagnostic, did_you_mean
 UsageFault: type[Exception] = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
 
 
-def diagnosed(error: Exception, commands: tuple[str, ...]) -> Diagnostic:
+def diagnosed(error: Exception, commands: Sequence[str]) -> Diagnostic:
     """Return the diagnostic of a fault in the command line.
 
     Parameters
@@ -41,7 +43,7 @@ def _message(error: Exception) -> str:
     return " ".join(shown.split()).rstrip(".")
 
 
-def _suggestion(error: Exception, commands: tuple[str, ...]) -> str:
+def _suggestion(error: Exception, commands: Sequence[str]) -> str:
     possible = getattr(error, "possibilities", None)
     if possible:
         return f"did you mean {' or '.join(sorted(possible))}?"

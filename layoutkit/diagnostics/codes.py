@@ -1,8 +1,8 @@
 """The registry of diagnostic codes: what each means, how it comes about, and what to do.
 
-Groups: LK0 files and safety, LK1 structure, LK2 references and constraints, LK3 conversion, LK4 plugins, LK5 layouts
-against facades, LK6 search, LK7 usage, LK9 our own faults. A code keeps its meaning for good; retired ones are not
-given out again.
+Groups: LK0 files and safety, LK1 structure, LK2 references and constraints, LK3 conversion, LK4 plugins,
+LK5 layouts against facades, LK6 search, LK7 usage, LK9 our own faults. A code keeps its meaning for good;
+retired ones are not given out again.
 """
 
 from __future__ import annotations
@@ -283,7 +283,77 @@ _REFERENCES = (
     ),
 )
 
-_CONVERSION: tuple[Code, ...] = ()
+_CONVERSION = (
+    Code(
+        "LK301",
+        "annotation cannot be read",
+        "The file is missing, may not be opened, or is not of the format's form.",
+        "A misspelt name, or a file that was cut off.",
+        "Correct the path, or mend the file at the place.",
+    ),
+    Code(
+        "LK302",
+        "picture missing or of another size",
+        "Annotations give shares of a picture: its size is needed, and a mask's picture has the mask's size.",
+        "No picture was named, and none of the same name stands beside the annotation.",
+        "Name the picture that was annotated with --image.",
+    ),
+    Code(
+        "LK303",
+        "annotation shows nothing",
+        "No usable box or labelled pixel is left, so there is nothing to convert.",
+        "An empty file, or one whose boxes all have faults.",
+        "Mend the faults listed with it.",
+    ),
+    Code(
+        "LK304",
+        "unknown class in an annotation",
+        "A box or pixel is of a class that the format does not have; it is left out.",
+        "A misspelt class, or a data set with other classes.",
+        "Rename the class; the hint names the nearest one, or the ones known.",
+        _WARNING,
+    ),
+    Code(
+        "LK305",
+        "box without area",
+        "A box has no area, or not two finite numbers along each axis; it is left out.",
+        "A click instead of a drag while annotating.",
+        "Nothing is needed; draw the box again if it was meant.",
+        _WARNING,
+    ),
+    Code(
+        "LK306",
+        "box beyond the picture",
+        "A box reaches beyond the picture; only the part inside is kept.",
+        "A picture that was cropped after it was annotated.",
+        "Name the picture that was annotated.",
+        _WARNING,
+    ),
+    Code(
+        "LK307",
+        "box given twice",
+        "Two boxes have the same class and the same edges; one is left out.",
+        "An annotation saved twice.",
+        "Nothing is needed.",
+        _WARNING,
+    ),
+    Code(
+        "LK308",
+        "several facades in one annotation",
+        "The annotation marks several facades; those side by side become buildings of one document.",
+        "A row of houses in one picture.",
+        "Nothing is needed; annotate them apart to get a document for each.",
+        _NOTE,
+    ),
+    Code(
+        "LK309",
+        "no facade in the annotation",
+        "The annotation does not say where the facade is; the box around all elements is taken for it.",
+        "An annotation of elements only.",
+        "Add a facade box if the wall reaches further than its elements.",
+        _WARNING,
+    ),
+)
 
 _PLUGINS = (
     Code(
@@ -389,9 +459,69 @@ _LAYOUTS = (
     ),
 )
 
-_SEARCH: tuple[Code, ...] = ()
+_SEARCH: tuple[Code, ...] = (
+    Code(
+        "LK601",
+        "limit reached",
+        "The search gave up before it found a layout or proved that there is none.",
+        "Constraints that leave hardly any arrangement.",
+        "Raise --node-limit, or relax a constraint.",
+    ),
+    Code(
+        "LK602",
+        "constraints inferred",
+        "The facade has no constraints: those that its own regularity suggests were used.",
+        "A facade fresh from `layoutkit convert`.",
+        "Write them into the document with `layoutkit infer`, and edit them there.",
+        _NOTE,
+    ),
+)
 
-_USAGE: tuple[Code, ...] = ()
+_USAGE: tuple[Code, ...] = (
+    Code(
+        "LK701",
+        "fault in the command line",
+        "A command, option or argument is unknown, missing, or not of its form.",
+        "A misspelt option.",
+        "Follow the hint; `layoutkit COMMAND --help` tells how the command is used.",
+    ),
+    Code(
+        "LK702",
+        "wrong kind of document",
+        "The command takes a facade, and was given a layout.",
+        "A variation named where its facade was meant.",
+        "Name the facade's document; beside a layout that vary made it is facade.xml.",
+    ),
+    Code(
+        "LK703",
+        "kind of file not known",
+        "No format recognises the annotation, several do, or no picture can be written with that suffix.",
+        "A file of another program.",
+        "Name the format with --format, or give the output another suffix.",
+    ),
+    Code(
+        "LK704",
+        "file would be overwritten",
+        "The command would write over its own input, or over a file that was edited.",
+        "The input's own folder named for the results.",
+        "Name another folder with -o.",
+    ),
+    Code(
+        "LK705",
+        "files of an earlier run",
+        "The folder holds variations that this run did not make.",
+        "A second run into the same folder, with fewer variations.",
+        "Delete them, or name a new folder with -o.",
+        _WARNING,
+    ),
+    Code(
+        "LK710",
+        "no such sample",
+        "No shipped facade has that name.",
+        "A misspelt name.",
+        "Correct it; `layoutkit samples` lists them.",
+    ),
+)
 
 _OURS = (
     Code(
@@ -400,6 +530,13 @@ _OURS = (
         "The program ran into an error that it does not foresee.",
         "A fault of ours.",
         "Report it, with the traceback that LAYOUTKIT_DEBUG=1 shows.",
+    ),
+    Code(
+        "LK902",
+        "layout breaks its constraints",
+        "The search returned a layout that the check before writing does not pass; it is not written.",
+        "A fault of ours, or of the plugin whose constraints the facade uses.",
+        "Report it, with the facade's document and the seed.",
     ),
 )
 

@@ -1,7 +1,7 @@
 """XML to a tree of elements that know their places; nothing is ever expanded or fetched.
 
-The parser is expat, for its places: line and column are right in every encoding, with any line ends, and in files
-of any length, which lxml's 16-bit line numbers are not.
+The parser is expat, for its places: line and column are right in every encoding, with any line ends, and in
+files of any length, which lxml's 16-bit line numbers are not.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ _BYTE_ORDER_MARKS = (b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff")
 _ENCODING_ERRORS = (expat.errors.XML_ERROR_UNKNOWN_ENCODING, expat.errors.XML_ERROR_INCORRECT_ENCODING)
 _ENTITIES = "write &amp; for &, &lt; for <, &quot; for a quotation mark inside an attribute"
 _HINTS = {
+    expat.errors.XML_ERROR_SYNTAX: "an XML document begins with <, and so does each tag",
     expat.errors.XML_ERROR_INVALID_TOKEN: _ENTITIES,
     expat.errors.XML_ERROR_UNDEFINED_ENTITY: _ENTITIES,
     expat.errors.XML_ERROR_NO_ELEMENTS: "the file is empty, or cut off",
@@ -78,8 +79,8 @@ def parse(source: bytes, file: str) -> Element:
     Raises
     ------
     Faulty
-        If it is not well-formed (LK002), of an unknown encoding (LK003), has a document type declaration (LK004),
-        is nested deeper than `DEPTH_LIMIT` (LK005) or holds more than `ELEMENT_LIMIT` elements (LK006).
+        If it is not well-formed (LK002), of an unknown encoding (LK003), has a document type declaration
+        (LK004), is nested deeper than `DEPTH_LIMIT` (LK005) or larger than `ELEMENT_LIMIT` (LK006).
     """
     return _Builder(source, file).build()
 
@@ -101,7 +102,8 @@ class _Builder:
         self.parser.EndElementHandler = self.end
         self.parser.CommentHandler = self.comment
         self.parser.CharacterDataHandler = self.characters
-        self.parser.StartDoctypeDeclHandler = self.doctype
+        # Receives what no other handler does: `<!DOCTYPE` by itself, before anything behind it is read.
+        self.parser.DefaultHandler = self.markup
 
     def build(self) -> Element:
         try:
@@ -120,13 +122,16 @@ class _Builder:
 
     def start(self, name: str, attributes: dict[str, str]) -> None:
         if len(self.open) == DEPTH_LIMIT:
-            raise self.refused("LK005", f"elements are nested more than {DEPTH_LIMIT} deep")
+            raise self.refused("LK005", f"elements are nested more than {DEPTH_LIMIT} deep", "flatten them")
         self.elements += 1
         if self.elements > ELEMENT_LIMIT:
-            raise self.refused("LK006", f"the document holds more than {ELEMENT_LIMIT:,} elements")
+            raise self.refused(
+                "LK006", f"the document holds more than {ELEMENT_LIMIT:,} elements", "split it"
+            )
         namespace, _, local = name.rpartition(" ")
-        for qualified in [key for key in attributes if " " in key]:
-            attributes["{" + qualified.replace(" ", "}")] = attributes.pop(qualified)
+        for key in [key for key in attributes if " " in key]:
+            space, _, plain = key.rpartition(" ")
+            attributes[f"{{{space}}}{plain}"] = attributes.pop(key)
         line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber
         column += 1 - (self.mark if line == 1 else 0)
         comment = "\n".join(self.comments) if self.comments and self.newlines < 2 else ""
@@ -164,22 +169,34 @@ class _Builder:
                 column = place.column + len(text) - len(shown)
                 self.open[-1].text = Place(place.file, place.line, column)
 
-    def doctype(self, *_: object) -> None:
-        raise self.refused("LK004", "the document has a document type declaration", "delete the DOCTYPE")
+    def markup(self, text: str) -> None:
+        if text == "<!DOCTYPE":
+            raise self.refused("LK004", "the document has a document type declaration", "delete it")
 
-    def refused(self, code: str, message: str, hint: str = "") -> Faulty:
+    def refused(self, code: str, message: str, hint: str) -> Faulty:
         return Faulty([Diagnostic(code, message, self.place(), hint, topic="xml")])
 
     def malformed(self, error: expat.ExpatError) -> Diagnostic:
         reason = expat.errors.messages[error.code]
         column = error.offset + 1 - (self.mark if error.lineno == 1 else 0)
-        code = "LK003" if reason in _ENCODING_ERRORS else "LK002"
-        hint = "save the document as UTF-8" if code == "LK003" else _HINTS.get(reason, "")
+        place = Place(self.file, error.lineno, column)
+        if reason in _ENCODING_ERRORS or self.misencoded():
+            hint = "save the document as UTF-8, or declare the encoding that it has"
+            return Diagnostic("LK003", "the bytes are not of the encoding declared", place, hint, topic="xml")
+        hint = _HINTS.get(reason, "")
         if self.open and not hint:
-            hint = f"<{self.open[-1].name}>, opened in line {self.open[-1].line}, is not closed before this place"
-        return Diagnostic(
-            code, f"not well-formed: {reason}", Place(self.file, error.lineno, column), hint, topic="xml"
-        )
+            last = self.open[-1]
+            hint = f"<{last.name}>, opened in line {last.line}, is not closed before this place"
+        return Diagnostic("LK002", f"the XML is broken: {reason}", place, hint, topic="xml")
+
+    def misencoded(self) -> bool:
+        """Tell whether the parser stopped at bytes that are not UTF-8, in a document that is up to there."""
+        at = self.parser.ErrorByteIndex
+        try:
+            self.source[: at + 4].decode()
+        except UnicodeDecodeError as error:
+            return error.start == at and at > 0
+        return False
 
 
 def comment_lines(text: str) -> list[str]:

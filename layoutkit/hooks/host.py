@@ -69,9 +69,7 @@ class Host:
         self._report([*diagnostics, *loaded.diagnostics])
 
     @classmethod
-    def load(
-        cls, severity: Severity = Severity.WARNING, points: Iterable[EntryPoint] | None = None
-    ) -> Host:
+    def load(cls, severity: Severity = Severity.WARNING, points: Iterable[EntryPoint] | None = None) -> Host:
         """Load the installed plugins, less those that ``LAYOUTKIT_DISABLE_PLUGINS`` names.
 
         Parameters

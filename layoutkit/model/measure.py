@@ -32,7 +32,10 @@ class Measure:
         """
         stripped = text.strip()
         relative = stripped.endswith("%")
-        value = float(stripped[:-1]) / 100 if relative else float(stripped)
+        try:
+            value = _shifted(stripped[:-1], -2) if relative else float(stripped)
+        except ValueError:
+            value = math.nan
         if not math.isfinite(value) or value < 0:
             raise ValueError(f"{text!r} is not a finite number of at least 0")
         return cls(value, relative)
@@ -44,9 +47,18 @@ class Measure:
     def __str__(self) -> str:
         if not self.relative:
             return format_number(self.value)
-        return f"{format_number(round(self.value * 100, 10))}%"
+        # As a decimal: 100 * 0.57 is not 57 in floats, and the text has to read back as the same share.
+        from decimal import Decimal
+
+        return f"{Decimal(repr(float(self.value))).scaleb(2).normalize():f}%"
 
 
 def format_number(value: float) -> str:
     """Return the shortest text that reads back as the same float, whole numbers without a point."""
     return str(int(value)) if value == int(value) and abs(value) < 1e16 else repr(float(value))
+
+
+def _shifted(text: str, places: int) -> float:
+    """Return the number that `text` spells, its point moved: dividing by 100 would round a second time."""
+    digits, _, exponent = text.lower().partition("e")
+    return float(f"{digits.strip()}e{int(exponent or 0) + places}")

@@ -50,10 +50,16 @@ def render_png(
     return _by_photo(document, photo, grid)
 
 
-def png_bytes(image: Image) -> bytes:
-    """Return the image as a PNG file: the same bytes for the same pixels."""
+def png_bytes(image: Image, level: int = 1) -> bytes:
+    """Return the image as a PNG file: the same bytes for the same pixels.
+
+    Parameters
+    ----------
+    level
+        How hard to compress, 0 to 9. Photos at 1 take a quarter of the time of 6, and a tenth more room.
+    """
     buffer = io.BytesIO()
-    image.save(buffer, "PNG", compress_level=6)
+    image.save(buffer, "PNG", compress_level=level)
     return buffer.getvalue()
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from layoutkit.model.measure import format_number
@@ -20,6 +22,9 @@ WIDEST, HIGHEST = 2400, 4096
 
 #: Width over height that the rows are broken for.
 ASPECT = 1.6
+
+#: More gaps than these would leave no room, and lower rows could not be made out.
+_MOST_IN_A_ROW, _LOWEST_ROW = 40, 60
 
 MARGIN, GAP, CAPTION, TEXT = 48, 36, 58, 20
 WHITE, INK, FAINT, FRAME, ACCENT = "#ffffff", "#222222", "#777777", "#c4c4c4", "#b3402e"
@@ -61,7 +66,7 @@ def contact_sheet(original: Exhibit, variations: Sequence[Exhibit]) -> Image:
 
     rows, scale = _arranged([original, *variations])
     sizes = [[_pixels(e, scale) for e in row] for row in rows]
-    width = max(_across([w for w, _ in row]) for row in sizes) + 2 * MARGIN
+    width = max(sum(w for w, _ in row) + GAP * (len(row) - 1) for row in sizes) + 2 * MARGIN
     height = sum(max(h for _, h in row) + CAPTION for row in sizes) + GAP * (len(rows) - 1) + 2 * MARGIN
     sheet = Image.new("RGB", (width, height), WHITE)
     draw = ImageDraw.Draw(sheet)
@@ -71,51 +76,63 @@ def contact_sheet(original: Exhibit, variations: Sequence[Exhibit]) -> Image:
         left = MARGIN
         for exhibit, size in zip(row, row_sizes, strict=True):
             _hang(sheet, exhibit, size, (left, ground - size[1]))
-            _caption(draw, exhibit, (left, ground), _column(size[0]), exhibit is original)
-            left += _column(size[0]) + GAP
+            _caption(draw, exhibit, (left, ground), size[0] + GAP // 2)
+            left += size[0] + GAP
         ground += CAPTION
+    _mark_as_input(draw, (MARGIN, MARGIN + max(h for _, h in sizes[0]) - sizes[0][0][1]))
     return sheet
 
 
 def _arranged(exhibits: Sequence[Exhibit]) -> tuple[list[list[Exhibit]], float]:
     """Return the rows whose page is nearest to the wanted shape, and pixels a unit.
 
-    Every number of pictures a row is tried; the scale is the greatest at which the page keeps its limits
-    and no picture is enlarged.
+    Tried is every width at which the widest two, three and so on would fill a row.
     """
-    natural = min(e.image.width / e.width for e in exhibits)
-    best: tuple[float, list[list[Exhibit]], float] | None = None
-    for count in range(1, len(exhibits) + 1):
-        rows = [list(exhibits[i : i + count]) for i in range(0, len(exhibits), count)]
-        widths = [sum(e.width for e in row) for row in rows]
-        across, down = max(widths), sum(max(e.height for e in row) for row in rows)
-        spare = WIDEST - 2 * MARGIN - GAP * (count - 1), HIGHEST - 2 * MARGIN - (CAPTION + GAP) * len(rows)
-        scale = min(natural, spare[0] / across, spare[1] / down)
-        if scale <= 0:
-            continue
-        empty = 0.3 * (1 - len(rows[-1]) / count)  # a ragged last row is a small flaw
-        misshape = abs(math.log(across / down / ASPECT)) + empty
-        if best is None or misshape < best[0]:
-            best = misshape, rows, scale
-    if best is None:
-        raise ValueError(f"{len(exhibits)} pictures are too many for one sheet")
-    return best[1], best[2]
+    limits = accumulate(sorted((e.width for e in exhibits), reverse=True)[:_MOST_IN_A_ROW])
+    rows = min((_wrapped(exhibits, limit) for limit in limits), key=_misshape)
+    return rows, _scale(rows)
+
+
+def _misshape(rows: Sequence[Sequence[Exhibit]]) -> float:
+    across, down = _extent(rows)
+    ragged = 0.3 * (1 - _width(rows[-1]) / across)  # a last row that is not full is a small flaw
+    return abs(math.log(across / down / ASPECT)) + ragged
+
+
+def _scale(rows: Sequence[Sequence[Exhibit]]) -> float:
+    """Return the greatest scale at which the page keeps its limits and no picture is enlarged.
+
+    Very many pictures make the page higher than `HIGHEST`: they keep a size at which they can be told apart.
+    """
+    natural = min(e.image.width / e.width for row in rows for e in row)
+    across, down = _extent(rows)
+    room = WIDEST - 2 * MARGIN - GAP * (max(map(len, rows)) - 1)
+    tall = HIGHEST - 2 * MARGIN - (CAPTION + GAP) * len(rows)
+    return min(natural, room / across, max(tall, _LOWEST_ROW * len(rows)) / down)
+
+
+def _extent(rows: Sequence[Sequence[Exhibit]]) -> tuple[float, float]:
+    return max(map(_width, rows)), sum(max(e.height for e in row) for row in rows)
+
+
+def _wrapped(exhibits: Sequence[Exhibit], limit: float) -> list[list[Exhibit]]:
+    """Break the pictures into rows of at most the given width, in document units, gaps not counted."""
+    rows: list[list[Exhibit]] = [[]]
+    for exhibit in exhibits:
+        full = len(rows[-1]) == _MOST_IN_A_ROW or _width([*rows[-1], exhibit]) > limit * (1 + 1e-9)
+        if rows[-1] and full:
+            rows.append([])
+        rows[-1].append(exhibit)
+    return rows
+
+
+def _width(row: Sequence[Exhibit]) -> float:
+    return sum(exhibit.width for exhibit in row)
 
 
 def _pixels(exhibit: Exhibit, scale: float) -> tuple[int, int]:
-    return max(1, round(exhibit.width * scale)), max(1, round(exhibit.height * scale))
-
-
-#: Narrow pictures still get room for their captions.
-_NARROWEST = 130
-
-
-def _column(width: int) -> int:
-    return max(width, _NARROWEST)
-
-
-def _across(widths: Sequence[int]) -> int:
-    return sum(_column(w) for w in widths) + GAP * (len(widths) - 1)
+    """Return a picture's size on the page, rounded down to keep the limits, but not because of noise."""
+    return max(1, int(exhibit.width * scale + 1e-6)), max(1, int(exhibit.height * scale + 1e-6))
 
 
 def _hang(sheet: Image, exhibit: Exhibit, size: tuple[int, int], at: tuple[int, int]) -> None:
@@ -127,26 +144,35 @@ def _hang(sheet: Image, exhibit: Exhibit, size: tuple[int, int], at: tuple[int, 
     Draw(sheet).rectangle((at[0] - 1, at[1] - 1, at[0] + size[0], at[1] + size[1]), outline=FRAME)
 
 
-def _caption(
-    draw: ImageDraw, exhibit: Exhibit, at: tuple[int, int], room: int, is_input: bool
-) -> None:
-    left, top = at[0], at[1] + 9
-    if is_input:
-        tag = "input"
-        right = left + math.ceil(draw.textlength(tag, _font(TEXT - 4))) + 14
-        draw.rounded_rectangle((left, top, right, top + 22), 4, ACCENT)
-        draw.text(((left + right) / 2, top + 11), tag, WHITE, _font(TEXT - 4), "mm")
-        left, room = right + 8, room - (right + 8 - left)
-    draw.text((left, top + 11), _fitted(draw, exhibit.name, room), INK, _font(TEXT), "lm")
-    draw.text((at[0], top + 36), exhibit.size_text, FAINT, _font(TEXT - 4), "lm")
+def _mark_as_input(draw: ImageDraw, at: tuple[int, int]) -> None:
+    """Hang a tag over the upper edge of the picture whose upper left corner is given."""
+    left, middle = at[0], at[1] - 15
+    right = left + math.ceil(draw.textlength("input", _font(TEXT - 4))) + 16
+    draw.rounded_rectangle((left - 1, middle - 11, right, middle + 11), 4, ACCENT)
+    draw.text(((left + right) / 2, middle), "input", WHITE, _font(TEXT - 4), "mm")
 
 
-def _fitted(draw: ImageDraw, text: str, room: int) -> str:
-    """Return the text, cut with an ellipsis where there is no room for it."""
+def _caption(draw: ImageDraw, exhibit: Exhibit, at: tuple[int, int], room: int) -> None:
+    name, size = (
+        _fitted(draw, _spelled(text), font, room)
+        for text, font in ((exhibit.name, _font(TEXT)), (exhibit.size_text, _font(TEXT - 4)))
+    )
+    draw.text((at[0], at[1] + 20), name, INK, _font(TEXT), "lm")
+    draw.text((at[0], at[1] + 45), size, FAINT, _font(TEXT - 4), "lm")
+
+
+def _spelled(text: str) -> str:
+    """Write a text in the letters of pillow's built-in font, which has neither accents nor the sign ×."""
+    plain = unicodedata.normalize("NFKD", text.replace("×", "x"))
+    return "".join(c for c in plain if not unicodedata.combining(c))
+
+
+def _fitted(draw: ImageDraw, text: str, font: FreeTypeFont | ImageFont, room: int) -> str:
+    """Return the text, cut where there is no room for it, three dots at the cut."""
     shown = text
-    while shown and draw.textlength(shown, _font(TEXT)) > room:
-        shown = shown[:-1]
-    return text if shown == text else f"{shown[:-1].rstrip()}…"
+    while shown and draw.textlength(shown, font) > room:
+        shown = f"{shown.removesuffix('...')[:-1]}..." if len(shown) > 3 else ""
+    return shown
 
 
 @cache

@@ -48,7 +48,7 @@ def _rectangle(placed: PlacedRegion, root: Region, units: str) -> str:
     tooltip = [placed.path, f"{_number(region.width)} × {_number(region.height)} {units}"]
     tooltip[1:1] = [labels] if labels else []
     return (
-        f'<rect data-path={quoteattr(_legal(placed.path))} data-labels={quoteattr(_legal(labels))}'
+        f"<rect data-path={quoteattr(_legal(placed.path))} data-labels={quoteattr(_legal(labels))}"
         f' x="{_number(box.x0)}" y="{_number(root.height - box.y1)}"'
         f' width="{_number(box.width)}" height="{_number(box.height)}"'
         f' fill="{_hex(colour)}" stroke="{_hex(darker(colour))}">'

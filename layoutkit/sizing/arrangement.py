@@ -38,6 +38,18 @@ class Slot:
     index: int
     spans: tuple[Interval, Interval]
 
+    @property
+    def order(self) -> tuple[int, ...]:
+        """The places in their words of the slot's ancestors along its own axis, and of itself."""
+        split = self.parent.region.split if self.parent is not None else None
+        order: list[int] = []
+        slot = self
+        while slot.parent is not None:
+            if slot.parent.region.split == split:
+                order.append(slot.index)
+            slot = slot.parent
+        return tuple(reversed(order))
+
     def inside(self, ancestor: Slot) -> bool:
         """Tell whether the slot lies in `ancestor`, or is it."""
         slot: Slot | None = self

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -81,9 +81,47 @@ def size_axis(axis: Axis, backends: Sequence[Backend], budget: Budget) -> Sized:
     """Find positions that keep every range and alignment, nearest to the pulls.
 
     An alignment is a choice of three: the pair is in line, or one stands before the other, or after it. The
-    first is tried first, for all surely overlapping pairs at once.
+    first is tried first: for pairs that correspond by their order, then for all that surely overlap, then one
+    by one.
     """
+    axis = replace(axis, aligned=[_distinct(rule) for rule in axis.aligned])
+    if guess := tuple(row for pair in _corresponding(axis) for row in _in_line(*pair)):
+        found = _solve(axis, guess, backends, budget)
+        if found.positions is not None:
+            return found
     return _solve(axis, (), backends, budget)
+
+
+def _corresponding(axis: Axis) -> Iterator[tuple[Aligned, Slot, Slot]]:
+    """Yield pairs that likely overlap: of as many regions on either side, the first with the first, and so on.
+
+    Where one side has several symbols, it is taken symbol by symbol.
+    """
+    for rule in axis.aligned:
+        if len(rule.first) == len(rule.second):
+            yield from _matched(rule, rule.first, rule.second)
+        elif len({slot.symbol_path for slot in rule.first}) == 1:
+            for path in dict.fromkeys(slot.symbol_path for slot in rule.second):
+                yield from _matched(rule, rule.first, [s for s in rule.second if s.symbol_path == path])
+
+
+def _matched(
+    rule: Aligned, first: Sequence[Slot], second: Sequence[Slot]
+) -> Iterator[tuple[Aligned, Slot, Slot]]:
+    if len(first) == len(second):
+        ordered = (sorted(slots, key=lambda slot: slot.order) for slots in (first, second))
+        for one, other in zip(*ordered, strict=True):
+            if one is not other:
+                yield rule, one, other
+
+
+def _distinct(rule: Aligned) -> Aligned:
+    """Return the rule with one region for each place along the axis: others in line with it are so for good."""
+    sides = []
+    for slots in (rule.first, rule.second):
+        own = {tuple(tuple(sorted(f.items())) for f in slot.spans[rule.axis]): slot for slot in slots[::-1]}
+        sides.append(tuple(reversed(own.values())))
+    return replace(rule, first=sides[0], second=sides[1])
 
 
 def _solve(axis: Axis, extra: tuple[Range, ...], backends: Sequence[Backend], budget: Budget) -> Sized:
@@ -103,7 +141,7 @@ def _solve(axis: Axis, extra: tuple[Range, ...], backends: Sequence[Backend], bu
         return Sized(positions)
     sure = [pair for pair in pairs if pair.sure]
     if sure:
-        together = tuple(row for pair in sure for row in _in_line(pair))
+        together = tuple(row for pair in sure for row in _in_line(pair.rule, pair.first, pair.second))
         found = _solve(axis, (*extra, *together), backends, budget)
         if found.positions is not None:
             return found
@@ -114,7 +152,7 @@ def _branch(
     axis: Axis, extra: tuple[Range, ...], pair: _Pair, backends: Sequence[Backend], budget: Budget
 ) -> Sized:
     found = Sized(None)
-    for rows in (_in_line(pair), *_apart(pair)):
+    for rows in (_in_line(pair.rule, pair.first, pair.second), *_apart(pair)):
         found = _solve(axis, (*extra, *rows), backends, budget)
         if found.positions is not None or found.exhausted:
             return found
@@ -173,12 +211,11 @@ def value(form: Form, positions: Floats) -> float:
     return float(sum(factor * positions[line] for line, factor in form.items()))
 
 
-def _in_line(pair: _Pair) -> tuple[Range, ...]:
-    axis = pair.rule.axis
+def _in_line(rule: Aligned, first: Slot, second: Slot) -> tuple[Range, ...]:
     rows = []
-    for share in pair.rule.lines:
-        difference = add(_line(pair.first, axis, share), _line(pair.second, axis, share), -1.0)
-        rows.append(Range(axis, difference, 0.0, 0.0, pair.rule.origin))
+    for share in rule.lines:
+        difference = add(_line(first, rule.axis, share), _line(second, rule.axis, share), -1.0)
+        rows.append(Range(rule.axis, difference, 0.0, 0.0, rule.origin))
     return tuple(rows)
 
 

@@ -2,20 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
 from typing import TYPE_CHECKING
 
-from layoutkit_formats.boxes import LabelBox, Mask, inside
+from layoutkit_formats.boxes import LabelBox, inside
 from layoutkit_formats.snapping import equal_sizes
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from layoutkit_formats.boxes import Mask
+
 #: Samples of a cell's label map along each axis.
 SAMPLES = 32
+
+#: A label counts as nearby within this many samples.
+NEARBY = 2
+
+#: No size is changed by more than this share of it.
+GROWTH = 0.2
+
+#: Sizes that differ by more than this share are never made equal.
+WIDEST_SPREAD = 0.3
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,43 +68,88 @@ class Cell:
 
 
 def differences(cells: Sequence[Cell]) -> NDArray[np.float64]:
-    """Return on which share of their samples each two cells differ; shape (n, n)."""
-    import numpy as np
+    """Return on which share of their area each two cells differ; shape (n, n).
 
-    samples = np.stack([cell.samples.ravel() for cell in cells])
-    return np.stack([(samples != one).mean(1) for one in samples])
-
-
-def classes(count: int, apart: Callable[[int, int], float], limit: float) -> list[int]:
-    """Put things that are alike into classes (complete linkage); return the class of each, from 0 on.
-
-    Parameters
-    ----------
-    apart
-        How different two things are.
-    limit
-        Two things in one class are never further apart.
+    Edges that are a little apart do not count: a sample agrees if the other cell shows its label nearby.
     """
     import numpy as np
 
-    table = np.array([[apart(i, j) if i != j else np.inf for j in range(count)] for i in range(count)])
-    members = [[i] for i in range(count)]
-    alive = list(range(count))
-    while len(alive) > 1:
-        part = table[np.ix_(alive, alive)]
-        i, j = sorted(divmod(int(part.argmin()), len(alive)))
-        if part[i, j] > limit:
+    bits = np.left_shift(1, np.stack([cell.samples for cell in cells]).astype(np.int32))
+    near = bits.copy()
+    for axis in (1, 2):
+        spread = near.copy()
+        for step in range(1, NEARBY + 1):
+            ahead: list[slice] = [slice(None)] * 3
+            behind: list[slice] = [slice(None)] * 3
+            ahead[axis], behind[axis] = slice(step, None), slice(None, -step)
+            spread[tuple(ahead)] |= near[tuple(behind)]
+            spread[tuple(behind)] |= near[tuple(ahead)]
+        near = spread
+    one_way = np.stack([((bits & other) == 0).mean((1, 2)) for other in near])
+    apart: NDArray[np.float64] = np.maximum(one_way, one_way.T)
+    return apart
+
+
+def classes(
+    lines: Sequence[float], apart: NDArray[np.float64], alike: float, moves: float
+) -> tuple[list[int], list[float]]:
+    """Put neighbouring intervals into classes of one size, as few as keep every line in its place.
+
+    Parameters
+    ----------
+    lines
+        Ends of the intervals, ascending: n + 1 of them.
+    apart
+        How different each two intervals' contents are; shape (n, n), infinite where they must not meet.
+    alike
+        No two intervals in one class are further apart (complete linkage).
+    moves
+        How far a line may move, in pixels.
+
+    Returns
+    -------
+    kinds, sizes
+        The class of each interval, numbered from 0 in order of appearance, and the size of each class.
+    """
+    count = len(lines) - 1
+    spans = [b - a for a, b in itertools.pairwise(lines)]
+    kinds = list(range(count))
+    sizes = spans
+    pairs = sorted(
+        (abs(spans[i] - spans[j]) / max(spans[i], spans[j]), i, j)
+        for i in range(count)
+        for j in range(i + 1, count)
+        if apart[i, j] <= alike
+    )
+    for share, i, j in pairs:
+        if share > WIDEST_SPREAD:
             break
-        a, b = alive[i], alive[j]
-        members[a] += members[b]
-        table[a], table[:, a] = np.maximum(table[a], table[b]), np.maximum(table[:, a], table[:, b])
-        table[a, a] = np.inf
-        alive.pop(j)
-    found = [0] * count
-    for number, a in enumerate(sorted(alive, key=lambda a: min(members[a]))):
-        for i in members[a]:
-            found[i] = number
-    return found
+        if kinds[i] == kinds[j]:
+            continue
+        one, other = sorted((kinds[i], kinds[j]))
+        first, second = ([k for k, kind in enumerate(kinds) if kind == which] for which in (one, other))
+        if any(apart[a, b] > alike for a in first for b in second):
+            continue
+        merged = _numbered([one if kind == other else kind for kind in kinds])
+        found = equal_sizes(lines, merged)
+        grown = max(abs(found[kind] - span) / span for kind, span in zip(merged, spans, strict=True))
+        if grown <= GROWTH and _farthest(lines, merged, found) <= moves:
+            kinds, sizes = merged, found
+    return kinds, sizes
+
+
+def _numbered(kinds: Sequence[int]) -> list[int]:
+    order = {kind: number for number, kind in enumerate(dict.fromkeys(kinds))}
+    return [order[kind] for kind in kinds]
+
+
+def _farthest(lines: Sequence[float], kinds: Sequence[int], sizes: Sequence[float]) -> float:
+    """Return by how much that line moves which moves most."""
+    at, worst = lines[0], 0.0
+    for kind, line in zip(kinds, lines[1:], strict=True):
+        at += sizes[kind]
+        worst = max(worst, abs(at - line))
+    return worst
 
 
 def common(cells: Sequence[Cell]) -> tuple[LabelBox, ...]:
@@ -112,9 +169,10 @@ def _alike(box: LabelBox, cells: Sequence[Cell], typical: Cell) -> list[LabelBox
     for cell in cells:
         if cell is typical:
             continue
-        rivals = [(_likeness(box, other), k) for k, other in enumerate(cell.boxes) if other.label == box.label]
-        if rivals and max(rivals)[0] > 0.5:
-            found.append(cell.boxes[max(rivals)[1]])
+        rivals = [other for other in cell.boxes if other.label == box.label]
+        best = max(rivals, key=lambda other: _likeness(box, other), default=None)
+        if best is not None and _likeness(box, best) > 0.5:
+            found.append(best)
     return found
 
 
@@ -129,30 +187,3 @@ def _likeness(one: LabelBox, other: LabelBox) -> float:
 def _median(boxes: Sequence[LabelBox]) -> LabelBox:
     x0, y0, x1, y1 = (median(values) for values in zip(*(b[1:] for b in boxes), strict=True))
     return LabelBox(boxes[0].label, x0, y0, x1, y1)
-
-
-def fitted(
-    lines: Sequence[float], kinds_at: Callable[[float], list[int]], tolerance: float
-) -> tuple[list[int], list[float]]:
-    """Return kinds of intervals and a size for each, as few kinds as keep every line in its place.
-
-    Parameters
-    ----------
-    lines
-        Ascending, as annotated.
-    kinds_at
-        The kinds of intervals where sizes may differ by a share (given) of the larger one.
-    tolerance
-        How far a line may move, in pixels.
-    """
-    for share in (0.25, 0.16, 0.1, 0.06, 0.03, 0.015, 0.0):
-        kinds = kinds_at(share)
-        sizes = equal_sizes(lines, kinds)
-        at, worst = lines[0], 0.0
-        for kind, line in zip(kinds, lines[1:], strict=True):
-            at += sizes[kind]
-            worst = max(worst, abs(at - line))
-        if worst <= tolerance and min(sizes) > 0:
-            return kinds, sizes
-    kinds = list(range(len(lines) - 1))
-    return kinds, [b - a for a, b in zip(lines, lines[1:], strict=False)]

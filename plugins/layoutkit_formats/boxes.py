@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    #: Label codes of a picture's pixels, shape (height, width).
     Mask = NDArray[np.uint8]
 
 #: Labels in painting order: each hides those before it (CMP Facade Database, label_names.txt).
@@ -33,7 +34,7 @@ PAINTING = (
 #: A label's number in masks: its position in the painting order.
 CODES: Mapping[str, int] = {label: code for code, label in enumerate(PAINTING)}
 
-BACKGROUND, WALL = CODES["Background"], CODES["Wall"]
+BACKGROUND = CODES["Background"]
 
 #: How dear it is to cut through an element, for each pixel of the cut; walls are free.
 HARDNESS: Mapping[str, float] = {
@@ -42,11 +43,11 @@ HARDNESS: Mapping[str, float] = {
     "Wall": 0.0,
     "Roof": 0.02,
     "Pillar": 0.02,
-    "Cornice": 0.3,
-    "Molding": 0.5,
+    "Molding": 0.3,
     "Balcony": 0.5,
     "Chimney": 0.5,
     "Sill": 1.0,
+    "Cornice": 1.0,
     "Deco": 1.0,
     "Blind": 2.0,
     "Shop": 2.0,
@@ -117,8 +118,14 @@ def painted(boxes: Iterable[LabelBox], width: int, height: int) -> Mask:
 
 def inside(boxes: Iterable[LabelBox], frame: LabelBox, sliver: float) -> tuple[LabelBox, ...]:
     """Return the boxes' parts inside `frame`, without those thinner than `sliver`."""
-    parts = (box.clipped(frame) for box in boxes)
-    return tuple(part for part in parts if part.width > sliver and part.height > sliver)
+    _, left, top, right, bottom = frame
+    found = []
+    for box in boxes:
+        x0, y0 = max(box.x0, left), max(box.y0, top)
+        x1, y1 = min(box.x1, right), min(box.y1, bottom)
+        if x1 - x0 > sliver and y1 - y0 > sliver:
+            found.append(LabelBox(box.label, x0, y0, x1, y1))
+    return tuple(found)
 
 
 def hull(boxes: Sequence[LabelBox], label: str = "Wall") -> LabelBox:

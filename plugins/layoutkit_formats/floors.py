@@ -2,29 +2,34 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from statistics import median
 from typing import TYPE_CHECKING
 
-from layoutkit_formats.boxes import CODES, CORES, PAINTING, LabelBox
+from layoutkit_formats.boxes import CODES, CORES, GROUNDS, PAINTING, LabelBox
 from layoutkit_formats.grid import Grid
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    pass
 
 #: A level line is free where what it cuts costs less than this share of the width (pillars, narrow bands).
 FREE = 0.012
 
 #: Two rows of windows are kept apart by a line that costs up to this share of the width.
-DEAR = 0.2
+DEAR = 0.35
 
 #: A row shows one label if that covers this share of it.
 UNIFORM = 0.975
 
 #: Windows stand in one floor where they overlap by this share of the lower one's height.
 SAME_FLOOR = 0.3
+
+#: Windows taller than this many others of their floor may be cut where they reach into another.
+TALL = 1.4
+
+Span = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,33 +70,49 @@ def rows_of(boxes: Sequence[LabelBox], frame: LabelBox, thin: float) -> tuple[Ro
     grid = Grid.of(boxes, frame)
     cores = core_spans(boxes)
     lines = _cut_lines(grid, cores)
-    slabs = [_slab(grid, a, b, cores) for a, b in zip(lines, lines[1:], strict=False)]
+    slabs = [_slab(grid, a, b) for a, b in itertools.pairwise(lines)]
     storey = median([y1 - y0 for y0, y1 in cores]) if cores else frame.height
-    return tuple(_attached(_merged(slabs, thin), boxes, max(thin, 0.3 * storey)))
+    return tuple(_attached(_merged(slabs, thin), boxes, frame.width, max(thin, 0.3 * storey)))
 
 
-def core_spans(boxes: Sequence[LabelBox]) -> list[tuple[float, float]]:
-    """Return where windows, doors and shops that overlap in y stand: a span for each row of them."""
-    spans: list[tuple[float, float]] = []
-    for y0, y1 in sorted(box.span(1) for box in boxes if box.label in CORES):
-        if spans:
-            top, bottom = spans[-1]
+def core_spans(boxes: Sequence[LabelBox]) -> list[Span]:
+    """Return where windows, doors and shops that overlap in y stand: a span for each row of them.
+
+    What is much taller than its row, and alone ties two rows together, is left out.
+    """
+    cores = sorted(box.span(1) for box in boxes if box.label in CORES)
+    found: list[Span] = []
+    for top, bottom in _spans(cores):
+        own = [span for span in cores if top <= span[0] and span[1] <= bottom]
+        usual = median(y1 - y0 for y0, y1 in own)
+        parts = _spans([(y0, y1) for y0, y1 in own if y1 - y0 <= TALL * usual])
+        found += parts if len(parts) > 1 else [(top, bottom)]
+    return found
+
+
+def _spans(cores: Sequence[Span]) -> list[Span]:
+    """Join sorted spans that overlap."""
+    found: list[Span] = []
+    for y0, y1 in cores:
+        if found:
+            top, bottom = found[-1]
             if bottom - y0 > SAME_FLOOR * min(bottom - top, y1 - y0):
-                spans[-1] = (top, max(bottom, y1))
+                found[-1] = (top, max(bottom, y1))
                 continue
-        spans.append((y0, y1))
-    return spans
+        found.append((y0, y1))
+    return found
 
 
-def _cut_lines(grid: Grid, cores: Sequence[tuple[float, float]]) -> list[int]:
+def _cut_lines(grid: Grid, cores: Sequence[Span]) -> list[int]:
     """Return the indices of the y lines at which rows are cut."""
     width = float(grid.xs[-1] - grid.xs[0])
     shares = grid.level_costs() / width
     free = {j for j, share in enumerate(shares) if share <= FREE}
-    for (_, bottom), (top, _) in zip(cores, cores[1:], strict=False):
+    for (_, bottom), (top, _) in itertools.pairwise(cores):
         low, high = min(bottom, top), max(bottom, top)
         slack = 0.5 * max(0.0, bottom - top) + 1e-6
-        between = [j for j, y in enumerate(grid.ys) if low - slack <= y <= high + slack and 0 < j < len(grid.ys) - 1]
+        inner = range(1, len(grid.ys) - 1)
+        between = [j for j in inner if low - slack <= grid.ys[j] <= high + slack]
         if not between or any(j in free for j in between):
             continue
         middle = 0.5 * (low + high)
@@ -101,7 +122,7 @@ def _cut_lines(grid: Grid, cores: Sequence[tuple[float, float]]) -> list[int]:
     return sorted(free)
 
 
-def _slab(grid: Grid, start: int, end: int, cores: Sequence[tuple[float, float]]) -> Row:
+def _slab(grid: Grid, start: int, end: int) -> Row:
     import numpy as np
 
     y0, y1 = float(grid.ys[start]), float(grid.ys[end])
@@ -125,17 +146,20 @@ def _merged(slabs: Sequence[Row], thin: float) -> list[Row]:
         at = min(range(len(found)), key=lambda i: found[i].height)
         if found[at].height >= thin:
             break
-        other = at - 1 if at and (at + 1 == len(found) or found[at - 1].height > found[at + 1].height) else at + 1
+        beside = [i for i in (at - 1, at + 1) if 0 <= i < len(found)]
+        other = max(beside, key=lambda i: found[i].height)
         first, last = sorted((at, other))
         found[first : last + 1] = [replace(found[other], y0=found[first].y0, y1=found[last].y1)]
     return found
 
 
 #: Where slabs that show no window belong: to the floor above (its sills), or below (its hoods).
-_UPWARD, _DOWNWARD = frozenset({"Sill", "Balcony"}), frozenset({"Deco", "Molding", "Blind"})
+_UPWARD, _DOWNWARD = frozenset({"Sill", "Balcony"}), frozenset({"Cornice", "Deco", "Blind"})
 
 
-def _attached(rows: Sequence[Row], boxes: Sequence[LabelBox], near: float) -> list[Row]:
+def _attached(
+    rows: Sequence[Row], boxes: Sequence[LabelBox], width: float, near: float
+) -> list[Row]:
     """Join sills, hoods and the like with the floor that they belong to."""
     found = list(rows)
     at = 0
@@ -144,7 +168,7 @@ def _attached(rows: Sequence[Row], boxes: Sequence[LabelBox], near: float) -> li
         if row.label or row.floor:
             at += 1
             continue
-        span = _host(found, at, _wish(boxes, row), near)
+        span = _host(found, at, _wish(boxes, row, width), near)
         if span is None:
             at += 1
             continue
@@ -154,19 +178,26 @@ def _attached(rows: Sequence[Row], boxes: Sequence[LabelBox], near: float) -> li
     return found
 
 
-def _wish(boxes: Sequence[LabelBox], row: Row) -> tuple[int, ...]:
-    """Return the directions (-1 up, 1 down) in which a slab without windows looks for its floor."""
+def _wish(boxes: Sequence[LabelBox], row: Row, width: float) -> tuple[int, ...]:
+    """Return the directions (-1 up, 1 down) in which a slab without windows looks for its floor.
+
+    Bands that run along most of the building belong to none.
+    """
     areas: dict[str, float] = {}
+    widest: dict[str, float] = {}
     for box in boxes:
         overlap = min(box.y1, row.y1) - max(box.y0, row.y0)
-        if overlap > 0 and box.label != "Wall":
+        if overlap > 0 and box.label not in GROUNDS:
             areas[box.label] = areas.get(box.label, 0.0) + overlap * box.width
+            widest[box.label] = max(widest.get(box.label, 0.0), box.width)
     main = max(areas, key=lambda label: (areas[label], label), default="")
+    if not main or widest[main] > 0.5 * width:
+        return ()
     if main in _UPWARD:
         return (-1,)
     if main in _DOWNWARD:
         return (1,)
-    return (1, -1) if main == "Pillar" else ()
+    return (1, -1) if main == "Pillar" else (-1, 1)
 
 
 def _host(rows: Sequence[Row], at: int, wish: Sequence[int], near: float) -> tuple[int, int] | None:

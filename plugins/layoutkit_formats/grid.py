@@ -59,11 +59,11 @@ class Grid:
 
     def level_costs(self) -> Floats:
         """Return what a level cut along each y line costs; shape (ny + 1,), 0 at both ends."""
-        return _costs(self.codes, self.owners, self.xs)
+        import numpy as np
 
-    def upright_costs(self) -> Floats:
-        """Return what an upright cut along each x line costs; shape (nx + 1,), 0 at both ends."""
-        return _costs(self.codes.T, self.owners.T, self.ys)
+        costs = np.zeros(len(self.ys))
+        costs[1:-1] = crossings(self.codes, self.owners) @ np.diff(self.xs)
+        return costs
 
 
 def _lines(boxes: Sequence[LabelBox], frame: LabelBox, axis: int) -> Floats:
@@ -79,11 +79,3 @@ def crossings(codes: Ints, owners: Ints) -> Floats:
     hardness = np.array([HARDNESS[label] for label in PAINTING])
     same = (owners[:-1] == owners[1:]) & (owners[1:] >= 0)
     return np.where(same, hardness[codes[1:]], 0.0)
-
-
-def _costs(codes: Ints, owners: Ints, across: Floats) -> Floats:
-    import numpy as np
-
-    costs = np.zeros(len(codes) + 1)
-    costs[1:-1] = crossings(codes, owners) @ np.diff(across)
-    return costs

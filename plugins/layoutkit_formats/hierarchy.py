@@ -16,10 +16,13 @@ from layoutkit_formats.boxes import PAINTING, LabelBox
 from layoutkit_formats.grid import Grid, crossings
 
 #: Above this many cells, the table of sub-rectangles costs more than it saves.
-LARGEST_TABLE = 72
+LARGEST_TABLE = 42
 
 #: Price of a cut through an element, in pixels of depth on which it is as good as wrong.
 CUT_DEPTH = 6.0
+
+#: How much dearer than others a sliver is.
+SLIVER = 3.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +69,7 @@ class Prices:
     terminal
         Each leaf, in square pixels.
     sliver
-        Leaves thinner than this, in pixels, cost double.
+        Leaves thinner than this, in pixels, cost `SLIVER` times as much.
     """
 
     terminal: float
@@ -90,7 +93,7 @@ class _Table:
         grid = self.grid
         self.xs: list[float] = grid.xs.tolist()
         self.ys: list[float] = grid.ys.tolist()
-        codes = sorted(set(grid.codes.flat))
+        codes = sorted({int(code) for code in grid.codes.flat})
         self.codes = codes
         ny, nx = grid.codes.shape
         sums = []
@@ -122,30 +125,30 @@ class _Table:
 
     def _leaf_price(self, x0: int, x1: int, y0: int, y1: int) -> float:
         thin = min(self.xs[x1] - self.xs[x0], self.ys[y1] - self.ys[y0]) < self.prices.sliver
-        return self.prices.terminal * (2.0 if thin else 1.0)
+        return self.prices.terminal * (SLIVER if thin else 1.0)
 
     def _best(self, x0: int, x1: int, y0: int, y1: int) -> tuple[float, Split | None, int]:
         """Return the least cost of a rectangle, and the first cut that leads to it."""
         key = (x0, x1, y0, y1)
         if (found := self.known.get(key)) is not None:
             return found
-        _, most, whole = self._majority(*key)
-        wrong = whole - most
-        best: tuple[float, Split | None, int] = (wrong + self._leaf_price(*key), None, 0)
-        if wrong > 1e-9 * whole:
+        _, most, whole = self._majority(x0, x1, y0, y1)
+        best: tuple[float, Split | None, int] = (whole - most + self._leaf_price(*key), None, 0)
+        least = self.prices.terminal
+        if best[0] > 2.0 * least:
             for at in range(x0 + 1, x1):
                 cut = self.upright[at]
                 cost = CUT_DEPTH * (cut[y1] - cut[y0])
-                if cost < best[0] and (cost := cost + self._best(x0, at, y0, y1)[0]) < best[0]:
-                    cost += self._best(at, x1, y0, y1)[0]
-                    if cost < best[0]:
+                if cost + 2.0 * least < best[0]:
+                    cost += self._best(x0, at, y0, y1)[0]
+                    if cost + least < best[0] and (cost := cost + self._best(at, x1, y0, y1)[0]) < best[0]:
                         best = (cost, "columns", at)
             for at in range(y0 + 1, y1):
                 cut = self.level[at]
                 cost = CUT_DEPTH * (cut[x1] - cut[x0])
-                if cost < best[0] and (cost := cost + self._best(x0, x1, y0, at)[0]) < best[0]:
-                    cost += self._best(x0, x1, at, y1)[0]
-                    if cost < best[0]:
+                if cost + 2.0 * least < best[0]:
+                    cost += self._best(x0, x1, y0, at)[0]
+                    if cost + least < best[0] and (cost := cost + self._best(x0, x1, at, y1)[0]) < best[0]:
                         best = (cost, "rows", at)
         self.known[key] = best
         return best
@@ -209,8 +212,9 @@ def joined(parts: Sequence[Piece], split: Split) -> Piece:
 
 
 def _alike_leaves(one: Piece, other: Piece) -> bool:
-    leaves = one.split is None and other.split is None
-    return leaves and (one.label, one.roles, one.name) == (other.label, other.roles, other.name) and not one.name
+    if one.split is not None or other.split is not None or one.name or other.name:
+        return False
+    return (one.label, one.roles, one.fill) == (other.label, other.roles, other.fill)
 
 
 def _grown(one: Piece, other: Piece, split: Split) -> Piece:

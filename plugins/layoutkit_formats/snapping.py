@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from layoutkit_formats.boxes import LabelBox
 
 #: Weight of a line that must not move.
 _FIXED = 1e12
+
+#: Edges of different kinds are taken for one within this share of the tolerance for like edges.
+UNLIKE = 0.4
+
+#: Elements that run along this share of a building are bands.
+BAND = 0.6
+
+#: Bands that end within this share of a building's width before its sides reach them.
+BAND_END = 0.01
 
 
 def snapped(boxes: Sequence[LabelBox], frame: LabelBox, tolerance: tuple[float, float]) -> list[LabelBox]:
@@ -31,55 +41,106 @@ def snapped(boxes: Sequence[LabelBox], frame: LabelBox, tolerance: tuple[float, 
 def in_line(
     boxes: Sequence[LabelBox], ends: tuple[float, float], axis: int, tolerance: float
 ) -> list[LabelBox]:
-    """Return the boxes with their edges along one axis put in line with each other and with `ends`."""
-    lines = [v for box in boxes for v in box.span(axis)]
-    weights = [max(1.0, e - s) for s, e in (box.span(1 - axis) for box in boxes) for _ in range(2)]
-    owners = [i for i in range(len(boxes)) for _ in range(2)]
-    found = _clusters([*lines, *ends], [*weights, _FIXED, _FIXED], [*owners, -1, -1], tolerance)
-    return [box.with_span(axis, found[2 * i], found[2 * i + 1]) for i, box in enumerate(boxes)]
+    """Return the boxes with their edges along one axis put in line with each other and with `ends`.
+
+    Like edges (all left edges of windows, say) may be the whole tolerance apart; others less, for there the
+    gap may be meant.
+    """
+    found = list(boxes)
+    for label in sorted({box.label for box in boxes}):
+        own = [i for i, box in enumerate(found) if box.label == label]
+        sides = [
+            _clusters([_edge(found[i], axis, side) for i in own], tolerance) for side in (0, 1)
+        ]
+        for i, start, end in zip(own, *sides, strict=True):
+            if end > start:
+                found[i] = found[i].with_span(axis, start, end)
+    edges = [_edge(box, axis, side, i) for i, box in enumerate(found) for side in (0, 1)]
+    lines = _clusters([*edges, *(_Edge(end, _FIXED, -1) for end in ends)], UNLIKE * tolerance)
+    return [box.with_span(axis, lines[2 * i], lines[2 * i + 1]) for i, box in enumerate(found)]
 
 
-def _clusters(
-    values: Sequence[float], weights: Sequence[float], owners: Sequence[int], tolerance: float
-) -> list[float]:
-    """Merge the nearest two clusters of lines until none are within the tolerance; return each line's mean.
+def attracted(boxes: Sequence[LabelBox], frame: LabelBox, reach: float) -> list[LabelBox]:
+    """Return the boxes with their level edges put to those of bands near by.
 
-    The two edges of one box never meet.
+    Bands run along the frame; where they end just before its sides, they are made to reach them.
+    """
+    bands = [box.width > BAND * frame.width for box in boxes]
+    lines = sorted({y for box, band in zip(boxes, bands, strict=True) if band for y in box.span(1)})
+    end = BAND_END * frame.width
+    return [
+        _drawn(box, 0, frame.span(0), end) if band else _drawn(box, 1, lines, reach)
+        for box, band in zip(boxes, bands, strict=True)
+    ]
+
+
+def _drawn(box: LabelBox, axis: int, lines: Sequence[float], reach: float) -> LabelBox:
+    """Return the box with each of its edges along an axis put to the nearest line within reach."""
+    ends = []
+    for end in box.span(axis):
+        near = min(lines, key=lambda line: abs(line - end), default=end)
+        ends.append(near if abs(near - end) <= reach else end)
+    return box.with_span(axis, *ends) if ends[1] - ends[0] > reach else box
+
+
+class _Edge(NamedTuple):
+    value: float
+    weight: float
+    owner: int
+
+
+def _edge(box: LabelBox, axis: int, side: int, owner: int = -2) -> _Edge:
+    start, end = box.span(1 - axis)
+    return _Edge(box.span(axis)[side], max(1.0, end - start), owner)
+
+
+def _clusters(edges: Sequence[_Edge], tolerance: float) -> list[float]:
+    """Merge the nearest two clusters of edges until none are within the tolerance; return each edge's place.
+
+    That is the weighted median of its cluster, on which least area is wrong. The two edges of one owner
+    never meet; an owner of -2 stands for none.
     """
     import numpy as np
 
-    order = sorted(range(len(values)), key=lambda i: (values[i], i))
+    order = sorted(range(len(edges)), key=lambda i: (edges[i].value, i))
     members = [[i] for i in order]
-    sets = [{owners[i]} for i in order]
-    means = [values[i] for i in order]
-    masses = [weights[i] for i in order]
+    owners = [{edges[i].owner} - {-2} for i in order]
+    means = [edges[i].value for i in order]
+    masses = [edges[i].weight for i in order]
 
     def gap(at: int) -> float:
-        meet = at + 1 >= len(members) or sets[at] & sets[at + 1]
+        meet = at + 1 >= len(members) or owners[at] & owners[at + 1]
         return float("inf") if meet else means[at + 1] - means[at]
 
     gaps = np.array([gap(at) for at in range(len(members))])
     while gaps[at := int(np.argmin(gaps))] <= tolerance:
         heavy, light = (at, at + 1) if masses[at] >= masses[at + 1] else (at + 1, at)
-        # The frame's own lines must not move at all, not even by rounding.
-        if masses[heavy] < _FIXED:
-            share = masses[light] / (masses[at] + masses[at + 1])
-            means[at] = means[heavy] + share * (means[light] - means[heavy])
-        else:
-            means[at] = means[heavy]
+        share = masses[light] / (masses[at] + masses[at + 1])
+        means[at] = means[heavy] + share * (means[light] - means[heavy])
         masses[at] += masses.pop(at + 1)
         members[at] += members.pop(at + 1)
-        sets[at] |= sets.pop(at + 1)
+        owners[at] |= owners.pop(at + 1)
         means.pop(at + 1)
         gaps = np.delete(gaps, at + 1)
         for near in (at - 1, at):
             if near >= 0:
                 gaps[near] = gap(near)
-    found = [0.0] * len(values)
-    for group, mean in zip(members, means, strict=True):
+    found = [0.0] * len(edges)
+    for group in members:
+        place = _weighted_median([edges[i] for i in group])
         for i in group:
-            found[i] = mean
+            found[i] = place
     return found
+
+
+def _weighted_median(edges: Sequence[_Edge]) -> float:
+    half = 0.5 * sum(edge.weight for edge in edges)
+    upto = 0.0
+    for edge in sorted(edges):
+        upto += edge.weight
+        if upto >= half:
+            return edge.value
+    return edges[-1].value
 
 
 def equal_sizes(lines: Sequence[float], kinds: Sequence[int]) -> list[float]:

@@ -2,23 +2,56 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
+from typing import Any, NamedTuple
 
-from layoutkit_formats.boxes import CORES, GROUNDS, LabelBox, inside
-from layoutkit_formats.floors import Row
-
-Span = tuple[float, float]
+from layoutkit_formats.boxes import CORES, GROUNDS, LabelBox
+from layoutkit_formats.floors import Row, Span
 
 #: Elements wider than this many bays are cut at the strips' lines.
 WIDE = 1.6
 
+#: Sills and hoods that are wider than this many windows are cut there too.
+OVERHANG = 2.4
+
+#: Pillars lower than this share of a floor flank a window; higher ones divide the floor.
+LOW = 0.85
+
 #: Windows that an element spans are one bay where the gaps between them are below this share of their width.
 CLOSE = 0.6
 
-#: Floors stand in line if this share of their bays does.
-IN_LINE = 0.5
+#: Floors stand in line if this share of their windows does, on either side.
+IN_LINE = 0.6
+
+#: A floor joins a group if it adds at most this share of strips to it.
+ADDED = 0.2
+
+#: Windows in line have their centres this near, as a share of the wider one's width.
+CENTRED = 0.25
+
+
+class Bay(NamedTuple):
+    """Where an element stands in a row, with what belongs to it.
+
+    Attributes
+    ----------
+    x0, x1
+        The strip that it needs.
+    core
+        Where its window, door or shop stands; empty (both ends alike) where there is none.
+    """
+
+    x0: float
+    x1: float
+    core: Span
+
+    @property
+    def has_core(self) -> bool:
+        """Whether a window, door or shop stands in it."""
+        return self.core[1] > self.core[0]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,114 +67,158 @@ class Group:
     """
 
     rows: tuple[int, ...]
-    bays: tuple[Span, ...]
+    bays: tuple[Bay, ...]
 
 
-def bays_of(boxes: Sequence[LabelBox], row: Row, frame: LabelBox, tolerance: float) -> tuple[Span, ...]:
-    """Return the spans along x at which the elements of a row stand, disjoint, from left to right."""
+def bays_of(boxes: Sequence[LabelBox], row: Row, frame: LabelBox, tolerance: float) -> tuple[Bay, ...]:
+    """Return where the elements of a row stand, disjoint, from left to right."""
     slab = frame._replace(y0=row.y0, y1=row.y1)
-    parts = [b for b in inside(boxes, slab, 0.0) if b.label not in GROUNDS and _counts(b, boxes, row)]
-    cores = _joined([b.span(0) for b in parts if b.label in CORES and b.width < 0.6 * frame.width], tolerance)
+    parts = [
+        box.clipped(slab)
+        for box in boxes
+        if box.label not in GROUNDS
+        and min(box.y1, row.y1) - max(box.y0, row.y0) > 0.25 * min(row.height, box.height)
+    ]
+    spans = [b.span(0) for b in parts if b.label in CORES and b.width < 0.6 * frame.width]
+    cores = _joined([_bare(span) for span in spans], tolerance)
     others = [b for b in parts if b.label not in CORES]
     if not cores:
-        narrow = [b.span(0) for b in others if b.width < 0.5 * frame.width]
+        narrow = [_accessory(b.span(0)) for b in others if b.width < 0.5 * frame.width]
         return tuple(_joined(narrow, tolerance))
-    cores = _bound(cores, [b.span(0) for b in others if b.label != "Cornice"])
-    usual = median(end - start for start, end in cores)
-    spans, free = list(cores), []
+    cores = _bound(cores, [b.span(0) for b in others if b.label != "Molding"])
+    usual = median(core.x1 - core.x0 for core in cores)
+    bays, pillars, free = list(cores), [], []
     for box in others:
-        hit = [k for k, core in enumerate(cores) if _overlap(core, box.span(0)) > 0.3 * _length(core)]
-        if len(hit) == 1 and box.width <= max(2.0 * _length(cores[hit[0]]), WIDE * usual):
-            spans[hit[0]] = _hull(spans[hit[0]], box.span(0))
+        hit = [k for k, bay in enumerate(cores) if _overlap(bay.core, box.span(0)) > 0.3 * _length(bay.core)]
+        if len(hit) == 1 and box.width <= max(OVERHANG * _length(cores[hit[0]].core), WIDE * usual):
+            bays[hit[0]] = _widened(bays[hit[0]], box.span(0))
         elif not hit and box.width < WIDE * usual:
-            beside = _beside(cores, box, usual) if box.label == "Blind" else None
-            if beside is None:
-                free.append(box.span(0))
+            flanks = box.label == "Blind" or (box.label == "Pillar" and box.height < LOW * row.height)
+            beside = _beside(cores, box, usual) if flanks else None
+            if beside is not None:
+                bays[beside] = _widened(bays[beside], box.span(0))
+            elif box.label == "Pillar":
+                pillars.append(_accessory(box.span(0)))
             else:
-                spans[beside] = _hull(spans[beside], box.span(0))
-    return tuple(_joined(_apart(cores, spans) + free, tolerance))
+                free.append(_accessory(box.span(0)))
+    pillars = _clustered(pillars, 2.0 * tolerance)
+    bays = [_beside_pillars(bay, pillars) for bay in _apart(bays)] + pillars
+    free = [span for span in free if all(_overlap(span, bay) <= tolerance for bay in bays)]
+    return tuple(_joined(bays + _clustered(free, 2.0 * tolerance), tolerance))
 
 
-def _counts(part: LabelBox, boxes: Sequence[LabelBox], row: Row) -> bool:
-    """Tell whether an element belongs to the row, and does not just reach into it."""
-    tallest = max(b.height for b in boxes if b.label == part.label and b.span(0) == part.span(0))
-    return part.height >= 0.25 * min(row.height, tallest)
+def _beside_pillars(bay: Bay, pillars: Sequence[Bay]) -> Bay:
+    """Return a bay without what pillars beside its window cover."""
+    x0 = max((p.x1 for p in pillars if bay.x0 < p.x1 <= bay.core[0]), default=bay.x0)
+    x1 = min((p.x0 for p in pillars if bay.core[1] <= p.x0 < bay.x1), default=bay.x1)
+    return bay._replace(x0=x0, x1=x1)
+
+
+def _clustered(bays: Sequence[Bay], gap: float) -> list[Bay]:
+    """Join bays that are less than a gap apart."""
+    found: list[Bay] = []
+    for bay in sorted(bays):
+        if found and bay.x0 - found[-1].x1 < gap:
+            found[-1] = _together(found[-1], bay)
+        else:
+            found.append(bay)
+    return found
+
+
+def _bare(span: Span) -> Bay:
+    return Bay(*span, span)
+
+
+def _accessory(span: Span) -> Bay:
+    return Bay(*span, (span[0], span[0]))
 
 
 def _length(span: Span) -> float:
     return span[1] - span[0]
 
 
-def _overlap(one: Span, other: Span) -> float:
-    return min(one[1], other[1]) - max(one[0], other[0])
+def _overlap(one: Sequence[Any], other: Sequence[Any]) -> float:
+    end = one[1] if one[1] < other[1] else other[1]
+    return float(end - (one[0] if one[0] > other[0] else other[0]))
 
 
-def _hull(one: Span, other: Span) -> Span:
-    return min(one[0], other[0]), max(one[1], other[1])
+def _widened(bay: Bay, span: Span) -> Bay:
+    return bay._replace(x0=min(bay.x0, span[0]), x1=max(bay.x1, span[1]))
 
 
-def _joined(spans: Sequence[Span], tolerance: float) -> list[Span]:
-    """Join spans that overlap by more than the tolerance, and part those that overlap by less."""
-    found: list[Span] = []
-    for span in sorted(spans):
-        if found and _overlap(found[-1], span) > tolerance:
-            found[-1] = _hull(found[-1], span)
+def _together(one: Bay, other: Bay) -> Bay:
+    """Return two bays as one."""
+    core = one.core if one.has_core else other.core
+    if one.has_core and other.has_core:
+        core = min(one.core[0], other.core[0]), max(one.core[1], other.core[1])
+    return Bay(min(one.x0, other.x0), max(one.x1, other.x1), core)
+
+
+def _joined(bays: Sequence[Bay], tolerance: float) -> list[Bay]:
+    """Join bays that overlap by more than the tolerance, and part those that overlap by less."""
+    found: list[Bay] = []
+    for bay in sorted(bays):
+        if found and _overlap(found[-1], bay) > tolerance:
+            found[-1] = _together(found[-1], bay)
         else:
-            found.append(span)
+            found.append(bay)
     for k in range(len(found) - 1):
-        if found[k][1] > found[k + 1][0]:
-            middle = 0.5 * (found[k][1] + found[k + 1][0])
-            found[k], found[k + 1] = (found[k][0], middle), (middle, found[k + 1][1])
+        _part(found, k, 0.5 * (found[k].x1 + found[k + 1].x0))
     return found
 
 
-def _bound(cores: Sequence[Span], binders: Sequence[Span]) -> list[Span]:
+def _part(bays: list[Bay], k: int, line: float) -> None:
+    """Part a bay from the next at `line` if they overlap."""
+    if bays[k].x1 > bays[k + 1].x0:
+        bays[k], bays[k + 1] = bays[k]._replace(x1=line), bays[k + 1]._replace(x0=line)
+
+
+def _bound(cores: Sequence[Bay], binders: Sequence[Span]) -> list[Bay]:
     """Join close windows that one element (a sill, a hood, a balcony) spans."""
-    usual = median(map(_length, cores))
+    usual = median(_length(bay.core) for bay in cores)
     tied = set()
     for binder in binders:
-        hit = [k for k, core in enumerate(cores) if _overlap(core, binder) > 0.6 * _length(core)]
-        if all(cores[b][0] - cores[a][1] < CLOSE * usual for a, b in zip(hit, hit[1:], strict=False)):
+        hit = [k for k, bay in enumerate(cores) if _overlap(bay.core, binder) > 0.6 * _length(bay.core)]
+        if all(cores[b].x0 - cores[a].x1 < CLOSE * usual for a, b in itertools.pairwise(hit)):
             tied.update(hit[:-1])
-    found: list[Span] = []
+    found: list[Bay] = []
     for k, core in enumerate(cores):
         if k - 1 in tied:
-            found[-1] = _hull(found[-1], core)
+            found[-1] = _together(found[-1], core)
         else:
             found.append(core)
     return found
 
 
-def _beside(cores: Sequence[Span], box: LabelBox, usual: float) -> int | None:
-    """Return the window that a shutter hangs beside."""
-    gaps = [(-_overlap(core, box.span(0)), k) for k, core in enumerate(cores)]
-    gap, k = min(gaps)
-    return k if gap < 0.25 * usual else None
+def _beside(cores: Sequence[Bay], box: LabelBox, usual: float) -> int | None:
+    """Return the window that a shutter hangs beside, or that a pillar flanks."""
+    gap, k = min((-_overlap(bay.core, box.span(0)), k) for k, bay in enumerate(cores))
+    return k if gap < (0.25 if box.label == "Blind" else 0.12) * usual else None
 
 
-def _apart(cores: Sequence[Span], spans: Sequence[Span]) -> list[Span]:
-    """Part the spans around neighbouring windows where sills or hoods of the two overlap."""
-    found = list(spans)
+def _apart(bays: Sequence[Bay]) -> list[Bay]:
+    """Part neighbouring bays where sills or hoods of the two overlap."""
+    found = list(bays)
     for k in range(len(found) - 1):
-        if found[k][1] > found[k + 1][0]:
-            middle = 0.5 * (found[k][1] + found[k + 1][0])
-            middle = min(max(middle, cores[k][1]), cores[k + 1][0])
-            found[k], found[k + 1] = (found[k][0], middle), (middle, found[k + 1][1])
+        middle = 0.5 * (found[k].x1 + found[k + 1].x0)
+        _part(found, k, min(max(middle, found[k].core[1]), found[k + 1].core[0]))
     return found
 
 
-def groups_of(bays: Sequence[tuple[Span, ...]], tolerance: float) -> list[Group]:
-    """Put rows together whose bays stand in line, those with many bays first.
+def groups_of(bays: Sequence[tuple[Bay, ...]], tolerance: float) -> list[Group]:
+    """Put rows together whose bays stand in line, beginning with those that most others are in line with.
 
     Parameters
     ----------
     bays
         For each row, its bays.
     tolerance
-        By how much, in pixels, spans may overlap and still stand apart.
+        By how much, in pixels, bays may overlap and still stand apart.
     """
+    rows = range(len(bays))
+    follows = [sum(_in_line(bays[i], bays[j], tolerance) is not None for j in rows) for i in rows]
     found: list[Group] = []
-    for index in sorted(range(len(bays)), key=lambda i: (-len(bays[i]), i)):
+    for index in sorted(rows, key=lambda i: (-follows[i], -len(bays[i]), i)):
         for at, group in enumerate(found):
             union = _in_line(group.bays, bays[index], tolerance)
             if union is not None:
@@ -152,25 +229,30 @@ def groups_of(bays: Sequence[tuple[Span, ...]], tolerance: float) -> list[Group]
     return sorted(found, key=lambda group: group.rows)
 
 
-def _in_line(group: tuple[Span, ...], row: tuple[Span, ...], tolerance: float) -> tuple[Span, ...] | None:
+def _in_line(group: tuple[Bay, ...], row: tuple[Bay, ...], tolerance: float) -> tuple[Bay, ...] | None:
     """Return the union of the bays if those of the row stand in line with the group's, else None."""
-    if not row or not group:
-        return None
     union = _joined([*group, *row], tolerance)
     matched = 0
-    for span in union:
-        own = [s for s in row if _overlap(s, span) > tolerance]
-        others = [s for s in group if _overlap(s, span) > tolerance]
-        if len(own) > 1 or len(others) > 1:
+    for bay in union:
+        own = [b for b in row if _overlap(b, bay) > tolerance]
+        others = [b for b in group if _overlap(b, bay) > tolerance]
+        if len(own) > 1 or len(others) > 1 or (own and others and not _one_above_other(own[0], others[0])):
             return None
-        if own and others:
-            if _overlap(own[0], others[0]) < 0.6 * min(_length(own[0]), _length(others[0])):
-                return None
-            matched += 1
-    new = len(union) - len(group)
-    if matched < IN_LINE * len(row) or new > max(1, 0.34 * len(group)):
+        matched += bool(own and others and own[0].has_core)
+    cores = max(sum(bay.has_core for bay in bays) for bays in (row, group))
+    if not matched or matched < IN_LINE * cores or len(union) - len(group) > ADDED * len(group):
         return None
     return tuple(union)
+
+
+def _one_above_other(one: Bay, other: Bay) -> bool:
+    """Tell whether two bays that share a strip have their windows, or their pillars, in line."""
+    if one.has_core != other.has_core:
+        return False
+    spans = [bay.core if bay.has_core else (bay.x0, bay.x1) for bay in (one, other)]
+    lengths = sorted(map(_length, spans))
+    apart = abs(sum(spans[0]) - sum(spans[1])) / 2
+    return apart <= CENTRED * lengths[1] and lengths[0] >= 0.4 * lengths[1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,23 +275,23 @@ class Strip:
         return self.x1 - self.x0
 
 
-def strips_of(bays: Sequence[Span], frame: LabelBox, thin: float) -> tuple[Strip, ...]:
+def strips_of(bays: Sequence[Bay], frame: LabelBox, thin: float) -> tuple[Strip, ...]:
     """Divide the frame's width into bays and the piers between them.
 
     Piers narrower than `thin` are given to the bays beside them.
     """
     lines, kinds = [frame.x0], []
-    for start, end in bays:
+    for start, end, _ in bays:
         if start - lines[-1] > thin:
             lines.append(start)
             kinds.append(False)
-        elif len(lines) > 1:
+        elif kinds:
             lines[-1] = 0.5 * (lines[-1] + start)
-        lines.append(end)
-        kinds.append(True)
-    if frame.x1 - lines[-1] > thin:
+        if end - lines[-1] > thin:
+            lines.append(end)
+            kinds.append(True)
+    if frame.x1 - lines[-1] > thin or not kinds:
         lines.append(frame.x1)
         kinds.append(False)
-    elif len(lines) > 1:
-        lines[-1] = frame.x1
+    lines[-1] = frame.x1
     return tuple(Strip(a, b, kind) for a, b, kind in zip(lines, lines[1:], kinds, strict=False))

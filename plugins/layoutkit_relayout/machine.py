@@ -94,6 +94,20 @@ class Machine:
         """Whether it accepts no word at all."""
         return len(self.accepting) == 0
 
+    def needs(self, letter: str) -> bool:
+        """Tell whether every word has the letter."""
+        column = self.letters.index(letter)
+        following = np.delete(self.next, column, axis=1)
+        reached, pending = {0}, [0]
+        while pending:
+            state = pending.pop()
+            if self.empty or self.accepting[state]:
+                return False
+            fresh = {int(after) for after in following[state] if after >= 0} - reached
+            reached |= fresh
+            pending += fresh
+        return True
+
     def only_word(self) -> tuple[str, ...] | None:
         """Return the word, if it accepts exactly one."""
         word: list[str] = []

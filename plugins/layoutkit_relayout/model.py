@@ -6,7 +6,7 @@ import math
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 
 from layoutkit.constraints import Constraint, Size
 from layoutkit.constraints.defaults import effective_constraints
@@ -50,6 +50,11 @@ class WordGroup:
     def forced(self) -> tuple[str, ...] | None:
         """The word, if there is only one."""
         return self.machine.only_word()
+
+    @cached_property
+    def always(self) -> tuple[str, ...]:
+        """The letters that every word has."""
+        return tuple(letter for letter in self.letters if self.machine.needs(letter))
 
     def word_of(self, member: str, word: Sequence[str]) -> tuple[str, ...]:
         """Return the group's word in the symbols of one member."""
@@ -128,11 +133,9 @@ class Model:
         inner = [self.hull(f"{path}/{symbols[letter]}", axis) for letter in machine.letters]
         if AXIS[region.split] == axis:
             return shortest(machine, [low for low, _ in inner]), longest(machine, [high for _, high in inner])
-        forced = self.group_of[path].forced
-        if forced is not None:
-            used = [inner[machine.letters.index(letter)] for letter in set(forced)]
-            return max(low for low, _ in used), min(high for _, high in used)
-        return min(low for low, _ in inner), max(high for _, high in inner)
+        used = [inner[machine.letters.index(letter)] for letter in self.group_of[path].always]
+        hull = min(low for low, _ in inner), max(high for _, high in inner)
+        return reduce(meet, used, hull)
 
     def content(self, path: str, counted: frozenset[str]) -> Interval:
         """Return least and greatest number of counted regions in one region of the path, itself included."""

@@ -10,6 +10,7 @@ from layoutkit.hooks.specs import Stage, hookimpl
 @hookimpl
 def layoutkit_stages() -> Iterable[Stage]:
     """Return the stages."""
+    from layoutkit_relayout.inference.stage import Infer
     from layoutkit_relayout.stage import Relayout
 
-    return (Relayout(),)
+    return (Infer(), Relayout())

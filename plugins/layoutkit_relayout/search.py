@@ -23,6 +23,9 @@ from layoutkit_relayout.model import Interval, Model, WordGroup, meet
 #: Successive multiples of it spread evenly over 0 to 1, whatever their number.
 _GOLDEN = 0.6180339887498949
 
+#: Stands for the number of a choice when none is known to be at fault.
+_NOBODY = 10**9
+
 Words = dict[str, Word]
 
 
@@ -49,6 +52,8 @@ class _Progress:
     undecided: bool = False
     used: int = 0
     shares: dict[WordGroup, float] = field(default_factory=dict)
+    choices: list[Words] = field(default_factory=list)
+    culprit: int = _NOBODY
 
 
 class Search:
@@ -104,8 +109,15 @@ class Search:
                 return
             progress.used += 1
             chosen = {**words, **{m: group.word_of(m, word) for m, _ in question.members}}
-            if self._possible(group, chosen):
-                yield from self._complete(chosen, generator, progress)
+            if not self._possible(group, chosen):
+                continue
+            progress.choices.append(chosen)
+            yield from self._complete(chosen, generator, progress)
+            depth = len(progress.choices)
+            progress.choices.pop()
+            if depth > progress.culprit:
+                return  # a choice before this one is at fault, whatever is chosen here
+            progress.culprit = _NOBODY
 
     def _with_forced(self, words: Words) -> Words:
         """Add the words of all reached regions that have only one."""
@@ -280,9 +292,21 @@ class Search:
             sized = self._size(arrangement, axis, rules, generator, Budget(200))
             if sized.positions is None:
                 progress.undecided |= sized.exhausted
+                if not sized.exhausted:
+                    progress.culprit = self._culprit(axis, progress.choices)
                 return None
             positions.append(sized.positions)
         return region_tree(arrangement, positions)
+
+    def _culprit(self, axis: int, choices: Sequence[Words]) -> int:
+        """Return the number of the first choice after which an axis can no longer be sized."""
+        for number, words in enumerate(choices[:-1], 1):
+            arrangement = Arrangement(self.model.facade, self._with_forced(words), self.size)
+            rules = self.rules(arrangement)
+            sized = self._size(arrangement, axis, rules, np.random.default_rng(0), Budget(20))
+            if sized.positions is None and not sized.exhausted:
+                return number
+        return len(choices)
 
     def _counted(self, words: Words) -> bool:
         """Check the frequencies, at the sizes the regions can have."""

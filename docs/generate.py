@@ -1,0 +1,148 @@
+"""Writes the pages of the reference that follow from declarations in the code; a test holds them equal.
+
+Run it from the root of the project: ``python docs/generate.py``.
+"""
+
+from __future__ import annotations
+
+import inspect
+from pathlib import Path
+from typing import Any
+
+import typer.main
+
+from layoutkit.cli.app import app
+from layoutkit.constraints import BUILT_IN, Constraint
+from layoutkit.constraints.attributes import Attribute, AttributeType
+from layoutkit.diagnostics.codes import CODES
+from layoutkit.documents import read
+from layoutkit.documents.writing import constraint_lines
+from layoutkit.samples import list_samples
+
+REFERENCE = Path(__file__).parent / "reference"
+NOTE = "<!-- written by docs/generate.py: change what it reads, and run it again -->"
+
+#: What the types of attributes mean to those who write documents.
+TYPES = {
+    "measure": "a number of at least 0, in document units or a count; with `%`, a share of the input's",
+    "count": "a whole number of at least 0",
+    "regions": (
+        "paths such as `Facade/Floor/Bay` and labels such as `@Window`, joined by `|` (or), `&` (and), `-` "
+        "(without), with parentheses"
+    ),
+    "extent": "regions; or a run of neighbours, as the path of their parent, a colon, and their symbols",
+    "word": (
+        "symbols, `@labels` and sets in braces, such as `{A @Door}`, of direct subregions; `|-` or `⊢` first "
+        "for the start, `-|` or `⊣` last for the end"
+    ),
+    "path": "the path of a region, such as `Facade/Floor`",
+    "paths": "paths, separated by spaces",
+}
+
+
+def constraints_page() -> str:
+    """Return the reference of the built-in constraints."""
+    used = {a.type.name: a.type for kind in BUILT_IN for a in kind.attributes() if not a.type.choices}
+    examples = _examples()
+    lines = ["# Reference: constraints", "", NOTE, ""]
+    lines += ["They stand in the element `constraints` of a facade, each as an element of its own. A comment"]
+    lines += [
+        "directly above one says why it is there. `layoutkit schema` also explains those that plugins add."
+    ]
+    for kind in BUILT_IN:
+        lines += ["", f"## {kind.kind}", "", kind.summary, "", "| attribute | | |", "|---|---|---|"]
+        lines += [_row(attribute) for attribute in kind.attributes()]
+        if kind in examples:
+            lines += ["", "```xml", *constraint_lines([examples[kind]]), "```"]
+    lines += ["", "## Values", "", "| type | is |", "|---|---|"]
+    lines += [f"| {name} | {_cell(TYPES[name])} |" for name in used]
+    return "\n".join([*lines, ""])
+
+
+def _row(attribute: Attribute) -> str:
+    need = "required" if attribute.required else "optional"
+    if not attribute.required and attribute.default is not None:
+        need = f"`{attribute.type.text(attribute.default)}` if left out"
+    return f"| `{attribute.name}` | {_type(attribute.type)}, {need} | {_cell(attribute.help)} |"
+
+
+def _type(kind: AttributeType) -> str:
+    if not kind.choices:
+        return kind.name
+    return f"{'some' if kind.many else 'one'} of {', '.join(f'`{choice}`' for choice in kind.choices)}"
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+def _examples() -> dict[type[Constraint], Constraint]:
+    """Return, for each kind, the first constraint of the samples with a reason given."""
+    kinds = {kind.kind: kind for kind in BUILT_IN}
+    found: dict[type[Constraint], Constraint] = {}
+    for sample in list_samples():
+        for constraint in read(sample.path, kinds).model.constraints:  # type: ignore[union-attr]  # a facade
+            if constraint.comment:
+                found.setdefault(type(constraint), constraint)
+    return found
+
+
+def codes_page() -> str:
+    """Return the reference of diagnostic codes."""
+    lines = ["# Reference: diagnostic codes", "", NOTE, ""]
+    lines += ["How to read a diagnostic is told [here](../how-to/diagnostics.md)."]
+    for code in CODES.values():
+        lines += [
+            "",
+            f"## {code.code}: {code.title}",
+            "",
+            f"*{str(code.severity).capitalize()}.* {code.explanation}",
+        ]
+        lines += ["", f"- Commonly from: {code.cause}", f"- Remedy: {code.remedy}"]
+    return "\n".join([*lines, ""])
+
+
+def commands_page() -> str:
+    """Return the reference of the commands."""
+    group: Any = typer.main.get_command(app)
+    lines = ["# Reference: commands", "", NOTE, ""]
+    lines += ["`layoutkit [--strict] COMMAND ...`. Results go to stdout, progress and diagnostics to stderr."]
+    lines += [
+        "[Exit codes](../how-to/diagnostics.md) and [environment variables](hooks.md) are told elsewhere."
+    ]
+    lines += ["", "| option of `layoutkit` itself | |", "|---|---|"]
+    lines += [_parameter(parameter) for parameter in group.params]
+    for name, command in group.commands.items():
+        lines += [
+            "",
+            f"## {name}",
+            "",
+            inspect.cleandoc(command.help),
+            "",
+            "| argument or option | |",
+            "|---|---|",
+        ]
+        lines += [_parameter(parameter) for parameter in command.params]
+        lines += ["", inspect.cleandoc(command.epilog).replace("`\n\n- `", "`\n- `")]
+    return "\n".join([*lines, ""])
+
+
+def _parameter(parameter: Any) -> str:
+    """Return a row of a command's table."""
+    if parameter.param_type_name == "argument":
+        return f"| `{parameter.metavar or parameter.name.upper()}` | {_cell(parameter.help or '')} |"
+    value = f" {parameter.metavar}" if parameter.metavar else "" if parameter.is_flag else " N"
+    help_text = parameter.help or ""
+    if parameter.required:
+        help_text += " Required."
+    elif parameter.default is not None and not parameter.is_flag:
+        help_text += f" By default {parameter.default}."
+    names = ", ".join(f"`{name}`" for name in (*parameter.opts[:-1], parameter.opts[-1] + value))
+    return f"| {names} | {_cell(help_text)} |"
+
+
+PAGES = {"constraints.md": constraints_page, "codes.md": codes_page, "commands.md": commands_page}
+
+if __name__ == "__main__":
+    for name, page in PAGES.items():
+        (REFERENCE / name).write_text(page(), encoding="utf-8")

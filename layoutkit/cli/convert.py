@@ -1,0 +1,106 @@
+"""``layoutkit convert``: an annotation made by others, to a facade document."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from layoutkit.cli import console
+from layoutkit.cli.exits import exit_of
+from layoutkit.cli.options import FacadeOutput, Json
+from layoutkit.cli.session import Session
+from layoutkit.diagnostics import Diagnostic, Faulty, Place
+from layoutkit.model import Facade, place
+
+if TYPE_CHECKING:
+    from layoutkit.hooks import Format
+    from layoutkit.hooks.lookup import Lookup
+
+EXAMPLES = """
+Examples:
+
+- `layoutkit convert cmp_b0001.xml --image cmp_b0001.jpg -o b0001.xml`
+
+- `layoutkit convert mask.png --image photo.jpg --format mask -o house.xml`
+"""
+
+#: How much of a file a format may look at to recognise it.
+_HEAD = 4096
+
+
+def convert(
+    context: typer.Context,
+    annotation: Annotated[Path, typer.Argument(metavar="IN", help="The annotation: CMP XML, a label mask.")],
+    output: FacadeOutput,
+    image: Annotated[
+        Path | None, typer.Option(metavar="PIC", help="The photo that the annotation is of.")
+    ] = None,
+    format_name: Annotated[
+        str | None,
+        typer.Option("--format", metavar="NAME", help="How to read IN; by default as what it looks like."),
+    ] = None,
+    as_json: Json = False,
+) -> int:
+    """Turn an annotation into a facade document, whose regions tile the facade.
+
+    What was wrong with the annotation is said, and survived where possible.
+    """
+    session = Session.of(context)
+    chosen = _format(annotation, format_name, session.host.formats)
+    facade, remarks = chosen.read(annotation, image)
+    session.report(remarks)
+    write_facade(session, facade, output)
+    regions = list(place(facade.root))
+    terminals = sum(placed.region.terminal for placed in regions)
+    session.report()
+    if as_json:
+        console.emit(
+            {
+                "document": str(output),
+                "regions": len(regions),
+                "terminals": terminals,
+                "diagnostics": [d.as_dict() for d in session.diagnostics],
+            }
+        )
+    else:
+        console.say(f"{output}: {len(regions)} regions, {terminals} of them terminals")
+    return exit_of(remarks)
+
+
+def write_facade(session: Session, facade: Facade, output: Path) -> None:
+    """Write a facade whose picture is named as the user gave it: the document names it from where it lies."""
+    from layoutkit import documents
+
+    if facade.picture is not None:
+        file = Path(os.path.relpath(facade.picture.file, output.parent)).as_posix()
+        facade = replace(facade, picture=replace(facade.picture, file=file))
+    session.write(output, documents.facade_bytes(facade))
+
+
+def _format(annotation: Path, name: str | None, formats: Lookup[Format]) -> Format:
+    """Return the format of that name, or else the one that recognises the file."""
+    from layoutkit.documents import load
+
+    head = load(annotation)[:_HEAD]
+    if name is not None:
+        return formats.find(name)
+    fitting = [candidate for candidate in formats.values() if candidate.recognises(annotation, head)]
+    if len(fitting) == 1:
+        return fitting[0]
+    raise Faulty([_undecided(annotation, fitting or list(formats.values()), bool(fitting))])
+
+
+def _undecided(annotation: Path, choice: Sequence[Format], fitting: bool) -> Diagnostic:
+    return Diagnostic(
+        "LK703",
+        "several formats recognise this file" if fitting else "no format recognises this file",
+        Place(str(annotation)),
+        "name one with --format" if choice else "no format is loaded: see `layoutkit plugins`",
+        topic="usage",
+        details=tuple(f"{candidate.name}: {candidate.summary}" for candidate in choice),
+    )

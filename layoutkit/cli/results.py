@@ -1,0 +1,132 @@
+"""The folder of results that ``vary`` makes: self-contained, the same bytes from the same seed anywhere."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from layoutkit.cli.relocation import with_picture_file
+from layoutkit.cli.session import Session
+from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
+from layoutkit.model import Facade, Layout, Picture
+
+if TYPE_CHECKING:
+    from layoutkit.pictures import Exhibit, Photo
+
+#: The copy of the facade's document that layouts in the folder refer to.
+FACADE_FILE = "facade.xml"
+SHEET_FILE = "sheet.png"
+
+_VARIATION = re.compile(r"variation-\d{2,}\.(xml|png)")
+
+
+@dataclass(frozen=True)
+class Variation:
+    """A layout as it was written.
+
+    Attributes
+    ----------
+    exhibit
+        What the contact sheet shows of it.
+    """
+
+    layout: Path
+    picture: Path
+    exhibit: Exhibit
+
+
+@dataclass(frozen=True)
+class ResultFolder:
+    """Where the results of one run go.
+
+    Attributes
+    ----------
+    photo
+        The facade's photo, decoded once; None where there is none: pictures then show labels by colour.
+    scale
+        Pixels a document unit, as a multiple of the photo's own.
+    digits
+        How many digits the numbers of variations have.
+    """
+
+    session: Session
+    folder: Path
+    facade: Facade
+    photo: Photo | None
+    scale: float
+    digits: int
+
+    def write_facade(self, source: bytes, picture: Path | None) -> None:
+        """Copy the facade's document, and beside it its picture."""
+        from layoutkit.documents import load
+
+        if picture is not None:
+            name = f"facade{picture.suffix.lower()}"
+            self.session.write(self.folder / name, load(picture))
+            source = with_picture_file(source, name)
+        self.session.write(self.folder / FACADE_FILE, source)
+
+    def write_variation(self, number: int, layout: Layout) -> Variation:
+        """Write a layout and its picture.
+
+        Raises
+        ------
+        Faulty
+            If the layout breaks a constraint (LK902), which is never written; or a file cannot be written.
+        """
+        from layoutkit.documents import layout_bytes
+        from layoutkit.pictures import Exhibit, png_bytes, render_png
+
+        if broken := layout.violations():
+            raise Faulty([_breaking(layout, [f"{v.path}: {v.message}" for v in broken])])
+        name = f"variation-{number:0{self.digits}d}"
+        image = render_png(layout, self.photo, scale=self.scale)
+        picture = Picture(f"{name}.png", (0.0, 0.0, float(image.width), float(image.height)))
+        written = replace(layout, facade_file=FACADE_FILE, picture=picture)
+        self.session.write(self.folder / picture.file, png_bytes(image))
+        self.session.write(self.folder / f"{name}.xml", layout_bytes(written))
+        root = layout.root
+        exhibit = Exhibit(image, layout.name, root.width, root.height, layout.units)
+        return Variation(self.folder / f"{name}.xml", self.folder / picture.file, exhibit)
+
+    def write_sheet(self, variations: Sequence[Variation]) -> Path:
+        """Write the contact sheet: the input, and every variation beside it."""
+        from layoutkit.pictures import Exhibit, contact_sheet, png_bytes, render_png
+
+        root = self.facade.root
+        image = self.photo.image if self.photo else render_png(self.facade, None, scale=self.scale)
+        original = Exhibit(image, self.facade.name, root.width, root.height, self.facade.units)
+        sheet = contact_sheet(original, [variation.exhibit for variation in variations])
+        self.session.write(self.folder / SHEET_FILE, png_bytes(sheet))
+        return self.folder / SHEET_FILE
+
+    def left_over(self, variations: Sequence[Variation]) -> tuple[Diagnostic, ...]:
+        """Return a warning of variations that an earlier run left in the folder, if there are any."""
+        own = {path.name for v in variations for path in (v.layout, v.picture)}
+        names = {path.name for path in self.folder.iterdir() if _VARIATION.fullmatch(path.name)}
+        if not (old := sorted(names - own)):
+            return ()
+        shown = ", ".join(old[:4]) + " …" * (len(old) > 4)
+        return (
+            Diagnostic(
+                "LK705",
+                f"{len(old)} files of an earlier run are still here: {shown}",
+                Place(str(self.folder)),
+                "delete them, or name a new folder with -o",
+                Severity.WARNING,
+                "usage",
+            ),
+        )
+
+
+def _breaking(layout: Layout, broken: Sequence[str]) -> Diagnostic:
+    return Diagnostic(
+        "LK902",
+        f"the search returned the layout {layout.name!r}, which breaks its constraints; it is not written",
+        hint="this is a fault of ours: please report it, with the facade's document",
+        topic="internal",
+        details=tuple(broken[:10]),
+    )

@@ -1,0 +1,193 @@
+"""``layoutkit vary``: variations of a facade, as documents, pictures and a contact sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from layoutkit.cli import console
+from layoutkit.cli.exits import Exit, exit_of
+from layoutkit.cli.infer import Freedom, inferred, options_of
+from layoutkit.cli.options import FacadeFile, Json
+from layoutkit.cli.render import photo_of
+from layoutkit.cli.results import FACADE_FILE, ResultFolder, Variation
+from layoutkit.cli.session import Session
+from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
+from layoutkit.model import Facade, Layout, Measure
+
+if TYPE_CHECKING:
+    from layoutkit.hooks import Outcome, Status
+
+EXAMPLES = """
+Examples:
+
+- `layoutkit vary house.xml -n 8 -o out`
+
+- `layoutkit vary house.xml -n 20 --width 150% --height 21.5 --seed 7 -o wide`
+"""
+
+_EXITS: dict[Status, Exit] = {"found": Exit.DONE, "infeasible": Exit.INFEASIBLE, "limit": Exit.LIMIT}
+
+
+def _size(text: str | Measure) -> Measure:
+    """Read a size; typer also hands the default in."""
+    try:
+        measure = Measure.parse(str(text))
+    except ValueError:
+        measure = Measure(0.0)
+    if measure.value <= 0:
+        raise typer.BadParameter(f"{text} is no size above 0 (such as 24) and no percentage (such as 120%)")
+    return measure
+
+
+Size = Annotated[
+    Measure,
+    typer.Option(
+        parser=_size,
+        metavar="SIZE",
+        show_default="100%",
+        help="A number in the document's units, or a percentage of the input's size, such as 120%.",
+    ),
+]
+_AS_IS = Measure(1.0, relative=True)
+
+
+def vary(
+    context: typer.Context,
+    facade_file: FacadeFile,
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="The folder for results.")],
+    count: Annotated[int, typer.Option("-n", "--count", min=1, help="How many variations.")] = 8,
+    width: Size = _AS_IS,
+    height: Size = _AS_IS,
+    seed: Annotated[
+        int, typer.Option(min=0, help="Start of all random choices: the same seed gives the same bytes.")
+    ] = 0,
+    node_limit: Annotated[
+        int | None,
+        typer.Option(min=1, show_default=False, help="Words tried for one variation before giving up."),
+    ] = None,
+    scale: Annotated[
+        float, typer.Option(min=0.01, max=100, help="Size of the pictures, as a multiple of the photo's own.")
+    ] = 1.0,
+    as_json: Json = False,
+) -> int:
+    """Make variations of a facade that keep its constraints.
+
+    Writes into DIR: a layout document and a picture of each, the contact sheet sheet.png, and a copy of the
+    facade. A facade without constraints gets those that its own regularity suggests.
+
+    Exit code 3: proved that there are no (more) variations. 4: the search gave up at a limit.
+    """
+    session = Session.of(context)
+    _refuse_own_input(facade_file, output)
+    facade, source = _constrained(session, facade_file)
+    photo = photo_of(facade, facade_file.parent)
+    picture = facade_file.parent / facade.picture.file if facade.picture is not None else None
+    folder = ResultFolder(session, output, facade, photo, scale, max(2, len(str(count))))
+    folder.write_facade(source, picture)
+    asked = {"count": count, "width": width, "height": height, "seed": seed}
+    limit = {} if node_limit is None else {"node_limit": node_limit}
+    results = list(_results(folder, count, {**asked, **limit}))
+    if written := [r.variation for r in results if r.variation is not None]:
+        sheet = folder.write_sheet(written)
+    session.report(folder.left_over(written))
+    status = _status(results, count)
+    if as_json:
+        console.emit(_as_data(session, status, seed, results))
+    elif written:
+        console.say(f"{len(written)} of {count} variations of {facade.name}; {sheet} shows them all")
+    return exit_of(d for d in session.diagnostics if d.code.startswith("LK9")) or _EXITS[status]
+
+
+@dataclass(frozen=True)
+class _Result:
+    """What came of one variation; `variation` is None where nothing was written."""
+
+    outcome: Outcome
+    variation: Variation | None
+
+
+def _refuse_own_input(facade_file: Path, output: Path) -> None:
+    own = output / FACADE_FILE
+    if own.exists() and facade_file.exists() and own.samefile(facade_file):
+        raise Faulty(
+            [
+                Diagnostic(
+                    "LK704",
+                    f"the results' copy of the facade would overwrite the input {facade_file}",
+                    Place(str(output)),
+                    f"name another folder with -o, such as {output / 'variations'}",
+                    topic="usage",
+                )
+            ]
+        )
+
+
+def _constrained(session: Session, facade_file: Path) -> tuple[Facade, bytes]:
+    """Return the facade and its document's text; with inferred constraints where it had none."""
+    from layoutkit import documents
+
+    document, facade = session.read_facade(facade_file, "vary")
+    if facade.constraints:
+        return facade, document.source
+    added = inferred(session, facade, Freedom.medium)
+    session.report(
+        [
+            Diagnostic(
+                "LK602",
+                f"the document has no constraints: {len(added)} were inferred from the facade's regularity",
+                Place(str(facade_file)),
+                "`layoutkit infer` writes them into a document, where they can be edited",
+                Severity.NOTE,
+                "search",
+            )
+        ]
+    )
+    constrained = replace(facade, constraints=added)
+    return constrained, documents.with_constraints(document.source, added)
+
+
+def _results(folder: ResultFolder, count: int, options: dict[str, Any]) -> Iterator[_Result]:
+    session = folder.session
+    stage = session.host.stages.find("relayout")
+    outcomes = stage.run(folder.facade, options_of(stage.options, **options))
+    for position, outcome in enumerate(console.progress(outcomes, "variations", count)):
+        session.report(outcome.diagnostics)
+        yield _Result(outcome, _written(folder, position, outcome))
+
+
+def _written(folder: ResultFolder, position: int, outcome: Outcome) -> Variation | None:
+    layout = outcome.document
+    if outcome.status != "found" or not isinstance(layout, Layout):
+        return None
+    number = position if layout.index is None else layout.index
+    return folder.write_variation(number + 1, layout)
+
+
+def _status(results: list[_Result], count: int) -> Status:
+    if sum(result.variation is not None for result in results) >= count:
+        return "found"
+    return "infeasible" if any(r.outcome.status == "infeasible" for r in results) else "limit"
+
+
+def _as_data(session: Session, status: Status, seed: int, results: list[_Result]) -> dict[str, Any]:
+    return {
+        "status": status,
+        "seed": seed,
+        "variations": [
+            {
+                "index": position,
+                "status": result.outcome.status,
+                "layout": str(result.variation.layout),
+                "picture": str(result.variation.picture),
+                "seconds": round(result.outcome.seconds, 6),
+            }
+            for position, result in enumerate(results)
+            if result.variation is not None
+        ],
+        "diagnostics": [d.as_dict() for d in session.diagnostics],
+    }

@@ -1,0 +1,215 @@
+"""Facade and layout documents, read whole: the model, and what there is to say of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from layoutkit.constraints import Constraint
+from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean, worst
+from layoutkit.documents.files import load
+from layoutkit.documents.grammar import FACADE, LAYOUT, NAMESPACE, PICTURE
+from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
+from layoutkit.documents.reading import Reading, in_order
+from layoutkit.documents.regions import RegionReader
+from layoutkit.documents.tree import Element, parse
+from layoutkit.model import Facade, Layout, Picture, Region
+
+#: What may stand in a facade, and in a layout, in this order.
+_PARTS = ("picture", "region", "constraints")
+
+
+@dataclass(frozen=True)
+class Document:
+    """A document that was read.
+
+    Attributes
+    ----------
+    model
+        What it describes.
+    diagnostics
+        Remarks on it, in document order; none is an error.
+    source
+        Its bytes.
+    """
+
+    model: Facade | Layout
+    diagnostics: tuple[Diagnostic, ...]
+    source: bytes
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A document as far as it could be read, with every fault, and its root for the places of things."""
+
+    model: Facade | Layout
+    root: Element
+    diagnostics: tuple[Diagnostic, ...]
+    source: bytes
+
+
+def read(path: Path | str, kinds: Kinds) -> Document:
+    """Read a facade, or a layout with its facade.
+
+    Parameters
+    ----------
+    path
+        The document. A layout's facade is looked for beside it; without it, ``Layout.facade`` is None, and
+        a note says so.
+    kinds
+        Constraint kinds by the name of their element.
+
+    Raises
+    ------
+    Faulty
+        If the document, or the facade that it names, has errors; all of them are in it.
+    """
+    opened = open_document(Path(path), kinds)
+    if worst(opened.diagnostics) is Severity.ERROR:
+        raise Faulty(opened.diagnostics)
+    return Document(opened.model, opened.diagnostics, opened.source)
+
+
+def open_document(path: Path, kinds: Kinds) -> Opened:
+    """Read a document as far as it can be.
+
+    Raises
+    ------
+    Faulty
+        If it cannot be read at all: no file, no XML, neither a facade nor a layout.
+    """
+    source = load(path)
+    root = parse(source, str(path))
+    reading = Reading(root.namespace)
+    _check_root(root, reading)
+    if root.name == FACADE.name:
+        return Opened(_facade(root, kinds, reading), root, reading.ordered(), source)
+    layout = _layout(root, reading)
+    facade = _facade_of(layout, root, kinds, reading)
+    return Opened(replace(layout, facade=facade), root, reading.ordered(), source)
+
+
+def _check_root(root: Element, reading: Reading) -> None:
+    names = (FACADE.name, LAYOUT.name)
+    ours = root.namespace in ("", NAMESPACE)
+    if not ours or root.name not in names:
+        shown = f"of the namespace {root.namespace!r}" if not ours else "no document of ours"
+        hint = "`layoutkit convert` reads other formats" if not ours else did_you_mean(root.name, names)
+        reading.fault("LK101", f"<{root.name}> is {shown}", root, hint)
+        raise Faulty(reading.ordered())
+    if not root.namespace:
+        hint = f'write <{root.name} xmlns="{NAMESPACE}" ...>'
+        reading.fault("LK101", f"<{root.name}> is of no namespace", root, hint)
+
+
+def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
+    values = reading.values(root, FACADE)
+    parts = _parts(root, _PARTS, reading)
+    regions = RegionReader(reading)
+    tree = _tree(parts, root, regions)
+    for element in regions.instances:
+        symbol = element.attributes["symbol"]
+        message = f"the symbol {symbol} is defined in two ways among its siblings"
+        hint = f'write <again symbol="{symbol}"/> for a replica, or another symbol for another region'
+        reading.fault("LK210", message, element, hint, topic="reference")
+    found: tuple[tuple[Constraint, Element], ...] = ()
+    if "constraints" in parts:
+        found = read_constraints(parts["constraints"], kinds, reading)
+    facade = Facade(
+        values.get("name") or "",
+        values.get("units") or "m",
+        tree,
+        _picture(parts, reading),
+        tuple(constraint for constraint, _ in found),
+    )
+    if regions.names_known:
+        check_constraints(facade, found, reading)
+    return facade
+
+
+def _layout(root: Element, reading: Reading) -> Layout:
+    values = reading.values(root, LAYOUT)
+    parts = _parts(root, _PARTS[:2], reading)
+    return Layout(
+        values.get("name") or "",
+        values.get("units") or "m",
+        _tree(parts, root, RegionReader(reading)),
+        facade_file=values.get("facade"),
+        seed=values.get("seed"),
+        index=values.get("index"),
+        picture=_picture(parts, reading),
+    )
+
+
+def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) -> Facade | None:
+    """Return the facade that a layout names, its faults recorded with those of the layout."""
+    if layout.facade_file is None:
+        return None
+    path = Path(root.file).parent / layout.facade_file
+    try:
+        if not path.is_file():  # a device or pipe that a document names is not to be read
+            message = f"the layout's facade {layout.facade_file!r} is not there"
+            reading.diagnostics.append(
+                Diagnostic("LK504", message, root.place, severity=Severity.NOTE, topic="layout")
+            )
+            return None
+        source = load(path)
+        facade_root = parse(source, str(path))
+        if facade_root.name == LAYOUT.name:
+            reading.fault("LK505", f"{layout.facade_file!r} is no facade, but a layout", root, topic="layout")
+            return None
+        facade_reading = Reading(facade_root.namespace)
+        _check_root(facade_root, facade_reading)
+        facade = _facade(facade_root, kinds, facade_reading)
+    except (Faulty, OSError) as error:
+        if isinstance(error, OSError):  # e.g. a name longer than any file's
+            reading.fault("LK001", f"the facade cannot be read: {error.strerror}", root, topic="layout")
+        else:
+            reading.diagnostics += error.diagnostics
+        return None
+    reading.diagnostics += in_order(facade_reading.diagnostics)
+    return facade
+
+
+def _parts(root: Element, allowed: tuple[str, ...], reading: Reading) -> dict[str, Element]:
+    """Return the children of the root by name."""
+    found: dict[str, Element] = {}
+    for child in root.children:
+        name = reading.name_of(child, root, allowed)
+        if name is None:
+            continue
+        order = f"the order is {', '.join(allowed)}, each at most once"
+        if name in found:
+            reading.fault("LK108", f"<{name}> stands a second time in <{root.name}>", child, order)
+            continue
+        if any(allowed.index(earlier) > allowed.index(name) for earlier in found):
+            reading.fault("LK108", f"<{name}> stands too late in <{root.name}>", child, order)
+        found[name] = child
+    return found
+
+
+def _tree(parts: dict[str, Element], root: Element, regions: RegionReader) -> Region:
+    if "region" in parts:
+        return regions.root(parts["region"])
+    hint = "the root region is the whole facade, with its width and height"
+    regions.reading.fault("LK107", f"<{root.name}> has no <region>", root, hint)
+    regions.names_known = False
+    return Region("", float("nan"), float("nan"))
+
+
+def _picture(parts: dict[str, Element], reading: Reading) -> Picture | None:
+    if "picture" not in parts:
+        return None
+    element = parts["picture"]
+    values: dict[str, Any] = reading.values(element, PICTURE)
+    reading.no_children(element)
+    left, top, right, bottom = (values.get(side) for side in ("left", "top", "right", "bottom"))
+    if left is None or top is None or right is None or bottom is None:
+        return None
+    for less, more, names in ((left, right, ("left", "right")), (top, bottom, ("top", "bottom"))):
+        if less >= more:
+            message = f"the picture's part is empty: {names[0]} {less:g} is not below {names[1]} {more:g}"
+            hint = "x counts to the right and y down, in pixels"
+            reading.fault("LK213", message, element, hint, topic="reference")
+    return Picture(values.get("file") or "", (left, top, right, bottom))

@@ -1,0 +1,179 @@
+"""What facade and layout documents are made of, declared once: the reader and the schema follow from it."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from layoutkit.constraints.attributes import Attribute, AttributeType, choice
+from layoutkit.model.selection import SYMBOL
+
+NAMESPACE = "urn:layoutkit:1"
+
+_SYMBOL = re.compile(SYMBOL)
+_BLANKS = re.compile(r"[ \t\r\n]+")
+#: No white space, no ASCII sign but the underscore, no digit first: as near as XSD comes, whose `\w` means
+#: something else, and whose `\p{L}` libxml2 takes for less than all letters. (Nor does it take `\[-\^`.)
+_SIGNS = r"\s!-/:-@\[\\\]\^`{-~"
+_SYMBOL_PATTERN = f"[^{_SIGNS}0-9][^{_SIGNS}]*"
+_LABELS_PATTERN = rf"\s*({_SYMBOL_PATTERN}(\s+{_SYMBOL_PATTERN})*)?\s*"
+_EXPONENT = r"([eE][+\-]?[0-9]{1,3})?"
+#: At least one digit is not 0, before the point or after it.
+_POSITIVE_PATTERN = rf" *\+?(0*[1-9][0-9]*(\.[0-9]*)?|0*\.0*[1-9][0-9]*){_EXPONENT} *"
+_PIXEL_PATTERN = rf" *\+?([0-9]+(\.[0-9]*)?|\.[0-9]+){_EXPONENT} *"
+_WHOLE_PATTERN = r"[0-9]{1,39}"
+
+
+def _spelled(pattern: str) -> Callable[[str], bool]:
+    compiled = re.compile(pattern)
+    return lambda text: compiled.fullmatch(text) is not None
+
+
+#: Documents repeat their values over and over: reading one a second time costs next to nothing.
+_remembered = lru_cache(maxsize=1 << 14)
+
+_is_positive, _is_pixel, _is_whole = map(_spelled, (_POSITIVE_PATTERN, _PIXEL_PATTERN, _WHOLE_PATTERN))
+
+
+@_remembered
+def _size(text: str) -> float:
+    value = float(text) if _is_positive(text) else math.nan
+    if not 0 < value < math.inf:
+        raise ValueError(f"{text!r} is not a finite number greater than 0")
+    return value
+
+
+def _pixel(text: str) -> float:
+    value = float(text) if _is_pixel(text) else math.nan
+    if not math.isfinite(value):
+        raise ValueError(f"{text!r} is not a finite number of at least 0")
+    return value
+
+
+def _whole(text: str) -> int:
+    if not _is_whole(text):
+        raise ValueError(f"{text!r} is not a whole number of at least 0")
+    return int(text)
+
+
+@_remembered
+def _symbol(text: str) -> str:
+    if _SYMBOL.fullmatch(text) is None:
+        raise ValueError(f"{text!r} is not a letter or underscore, then letters, digits and underscores")
+    return text
+
+
+@_remembered
+def _labels(text: str) -> tuple[str, ...]:
+    return tuple(_symbol(part) for part in _BLANKS.split(text) if part)
+
+
+SIZE = AttributeType("size", _size, pattern=_POSITIVE_PATTERN)
+_PIXEL = AttributeType("pixel", _pixel, pattern=_PIXEL_PATTERN)
+_WHOLE = AttributeType("whole", _whole, pattern=_WHOLE_PATTERN)
+_NAME = AttributeType("symbol", _symbol, pattern=_SYMBOL_PATTERN)
+_LABELS = AttributeType("labels", _labels, " ".join, pattern=_LABELS_PATTERN)
+_TEXT = AttributeType("text", str)
+_UNITS = choice("units", "m", "px")
+_SPLIT = choice("split", "columns", "rows")
+_FILL = choice("fill", "stretch", "repeat")
+
+
+def _required(name: str, kind: AttributeType, help: str) -> Attribute:
+    return Attribute(name, name, kind, help, True, None)
+
+
+def _optional(name: str, kind: AttributeType, help: str, default: Any = None) -> Attribute:
+    return Attribute(name, name, kind, help, False, default)
+
+
+@dataclass(frozen=True, slots=True)
+class ElementType:
+    """What the reader and the schema know of an element.
+
+    Attributes
+    ----------
+    help
+        What it is, for the schema.
+    attributes
+        By name, in the order in which they are written.
+    required
+        The names of those that it needs.
+    """
+
+    name: str
+    help: str
+    attributes: Mapping[str, Attribute]
+    required: tuple[str, ...]
+
+
+def element_type(name: str, help: str, *attributes: Attribute) -> ElementType:
+    """Return an element's type."""
+    required = tuple(a.name for a in attributes if a.required)
+    return ElementType(name, help, {a.name: a for a in attributes}, required)
+
+
+_DOCUMENT_NAME = _required("name", _TEXT, "What the document is called; pictures and reports show it.")
+_DOCUMENT_UNITS = _required("units", _UNITS, "What sizes are counted in: metres (m) or pixels (px).")
+
+FACADE = element_type(
+    "facade",
+    "A segmented facade: its picture, its region tree, and the constraints that every variation keeps.",
+    _DOCUMENT_NAME,
+    _DOCUMENT_UNITS,
+)
+LAYOUT = element_type(
+    "layout",
+    "A facade laid out anew: the tree of placed regions, every size known.",
+    _DOCUMENT_NAME,
+    _DOCUMENT_UNITS,
+    _optional("facade", _TEXT, "The facade's document, relative to this one."),
+    _optional("seed", _WHOLE, "The seed that the layout was made from."),
+    _optional("index", _WHOLE, "Its number among the variations of that seed, from 0."),
+)
+PICTURE = element_type(
+    "picture",
+    "A picture, and the part of it that the document covers, in its pixels: x to the right, y down.",
+    _required("file", _TEXT, "The picture's file, relative to this document."),
+    _required("left", _PIXEL, "Left edge of the part."),
+    _required("top", _PIXEL, "Upper edge of the part."),
+    _required("right", _PIXEL, "Right edge of the part, greater than left."),
+    _required("bottom", _PIXEL, "Lower edge of the part, greater than top."),
+)
+_SYMBOL_HELP = "The region's type within its parent: the same symbol means an identical region."
+_SPLIT_HELP = "How it is divided: columns from left to right, rows from the top down. A terminal has none."
+_FILL_HELP = "How a terminal's picture fills another size: stretched, or repeated."
+_REGION_ATTRIBUTES = (
+    _optional("split", _SPLIT, _SPLIT_HELP),
+    _optional("labels", _LABELS, "Semantic classes, separated by spaces; constraints name them with @."),
+    _optional("fill", _FILL, _FILL_HELP, "stretch"),
+)
+REGION = element_type(
+    "region",
+    "A rectangle of the hierarchy. It has only its size along the parent's split; its children add up to it.",
+    _required("symbol", _NAME, _SYMBOL_HELP),
+    _optional("width", SIZE, "The width, where the parent is split into columns."),
+    _optional("height", SIZE, "The height, where the parent is split into rows."),
+    *_REGION_ATTRIBUTES,
+)
+ROOT_REGION = element_type(
+    "region",
+    "The whole facade: the root of the hierarchy. Its symbol begins every path.",
+    _required("symbol", _NAME, _SYMBOL_HELP),
+    _required("width", SIZE, "The width of the whole."),
+    _required("height", SIZE, "The height of the whole."),
+    *_REGION_ATTRIBUTES,
+)
+AGAIN = element_type(
+    "again",
+    "A replica of the nearest earlier sibling of the same symbol.",
+    _required("symbol", _NAME, "The symbol of the sibling to repeat."),
+)
+CONSTRAINTS = element_type(
+    "constraints",
+    "What every variation keeps. A comment directly above a constraint says why it is there.",
+)

@@ -1,0 +1,122 @@
+"""The XML Schema of documents, made from the same declarations that the reader follows.
+
+It is for editors and other programs. What it demands, the reader demands too, in better words. What no XSD
+can say (sizes that add up, names that exist), the reader says alone.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+
+from layoutkit.constraints.attributes import AttributeType
+from layoutkit.documents.grammar import (
+    AGAIN,
+    CONSTRAINTS,
+    FACADE,
+    LAYOUT,
+    NAMESPACE,
+    PICTURE,
+    REGION,
+    ROOT_REGION,
+    ElementType,
+)
+from layoutkit.documents.kinds import Kinds, declared
+
+_NAMESPACES = {
+    "xmlns:xs": "http://www.w3.org/2001/XMLSchema",
+    "xmlns": NAMESPACE,
+    "targetNamespace": NAMESPACE,
+    "elementFormDefault": "qualified",
+}
+
+
+def schema(kinds: Kinds) -> bytes:
+    """Return the schema of facade and layout documents.
+
+    Parameters
+    ----------
+    kinds
+        Constraint kinds by the name of their element, plugins' kinds among them.
+    """
+    root = ET.Element("xs:schema", _NAMESPACES)
+    _explain(root, "Facade and layout documents of layoutkit.")
+    for document in (FACADE, LAYOUT):
+        parts = _sequence(_explained(root, "element", document.help, name=document.name), document)
+        _explained(parts, "element", PICTURE.help, name=PICTURE.name, type="Picture", minOccurs="0")
+        _explained(parts, "element", ROOT_REGION.help, name=ROOT_REGION.name, type="RootRegion")
+        if document is FACADE:
+            name = CONSTRAINTS.name
+            _explained(parts, "element", CONSTRAINTS.help, name=name, type="Constraints", minOccurs="0")
+    _add_attributes(_add(root, "complexType", name="Picture"), PICTURE)
+    for name, region in (("RootRegion", ROOT_REGION), ("Region", REGION)):
+        _add_children(_add(root, "complexType", name=name), region)
+    _add_attributes(_add(root, "complexType", name="Again"), AGAIN)
+    constraints = _add(root, "complexType", name="Constraints")
+    if kinds:
+        choice = _add(constraints, "choice", minOccurs="0", maxOccurs="unbounded")
+        for kind in kinds.values():
+            known = declared(kind)
+            element = _explained(choice, "element", known.help, name=known.name)
+            _add_attributes(_add(element, "complexType"), known)
+    ET.indent(root)
+    written: bytes = ET.tostring(root, encoding="utf-8")
+    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + written + b"\n"
+
+
+def _add(parent: ET.Element, tag: str, **attributes: str) -> ET.Element:
+    return ET.SubElement(parent, f"xs:{tag}", attributes)
+
+
+def _explained(parent: ET.Element, tag: str, help: str, **attributes: str) -> ET.Element:
+    added = _add(parent, tag, **attributes)
+    _explain(added, help)
+    return added
+
+
+def _explain(element: ET.Element, help: str) -> None:
+    _add(_add(element, "annotation"), "documentation").text = help
+
+
+def _sequence(element: ET.Element, known: ElementType) -> ET.Element:
+    """Return the sequence of an element's children, its attributes declared behind it."""
+    whole = _add(element, "complexType")
+    sequence = _add(whole, "sequence")
+    _add_attributes(whole, known)
+    return sequence
+
+
+def _add_children(region: ET.Element, known: ElementType) -> None:
+    """Declare what a region holds: nothing, or a region and then regions and replicas of earlier ones."""
+    children = _add(region, "sequence", minOccurs="0")
+    _explained(children, "element", REGION.help, name=REGION.name, type="Region")
+    more = _add(children, "choice", minOccurs="0", maxOccurs="unbounded")
+    _explained(more, "element", REGION.help, name=REGION.name, type="Region")
+    _explained(more, "element", AGAIN.help, name=AGAIN.name, type="Again")
+    _add_attributes(region, known)
+
+
+def _add_attributes(element: ET.Element, known: ElementType) -> None:
+    for attribute in known.attributes.values():
+        added = _explained(element, "attribute", attribute.help, name=attribute.name)
+        if attribute.required:
+            added.set("use", "required")
+        elif attribute.default is not None:
+            added.set("default", attribute.type.text(attribute.default))
+        _add_type(added, attribute.type)
+
+
+def _add_type(attribute: ET.Element, kind: AttributeType) -> None:
+    if kind.choices:
+        simple = _add(attribute, "simpleType")
+        if kind.many:
+            some = _add(simple, "restriction")
+            simple = _add(_add(_add(some, "simpleType"), "list"), "simpleType")
+            _add(some, "minLength", value="1")
+        words = _add(simple, "restriction", base="xs:token")
+        for word in kind.choices:
+            _add(words, "enumeration", value=word)
+    elif kind.pattern:
+        spelled = _add(_add(attribute, "simpleType"), "restriction", base="xs:string")
+        _add(spelled, "pattern", value=kind.pattern)
+    else:
+        attribute.set("type", "xs:string")

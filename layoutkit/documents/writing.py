@@ -1,0 +1,148 @@
+"""Models to documents. The same model gives the same bytes; reading them gives the model."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from layoutkit.constraints import Constraint
+from layoutkit.diagnostics import Diagnostic, Faulty
+from layoutkit.documents.grammar import NAMESPACE
+from layoutkit.documents.tree import comment_lines
+from layoutkit.model import Facade, Layout, Picture, Region
+from layoutkit.model.measure import format_number
+from layoutkit.model.region import TILING_TOLERANCE
+
+_DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>'
+INDENT = "  "
+
+_ESCAPES = str.maketrans(
+    {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "\n": "&#10;", "\r": "&#13;", "\t": "&#9;"}
+)
+#: What XML 1.0 has no way to write.
+_UNWRITABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+
+
+def facade_bytes(facade: Facade) -> bytes:
+    """Return a facade's document.
+
+    Raises
+    ------
+    Faulty
+        If a name or comment holds a character that XML cannot (LK009).
+    ValueError
+        If a child does not reach across its parent: a document has no place for such a size.
+    """
+    head = {"xmlns": NAMESPACE, "name": facade.name, "units": facade.units}
+    lines = [f"<{_joined('facade', head)}>"]
+    lines += _picture_lines(facade.picture)
+    lines += _root_lines(facade.root)
+    if facade.constraints:
+        lines += [f"{INDENT}<constraints>"]
+        lines += [INDENT * 2 + line for line in constraint_lines(facade.constraints)]
+        lines += [f"{INDENT}</constraints>"]
+    return _document(lines, "facade")
+
+
+def layout_bytes(layout: Layout) -> bytes:
+    """Return a layout's document.
+
+    Raises
+    ------
+    Faulty, ValueError
+        As for `facade_bytes`.
+    """
+    head = {
+        "xmlns": NAMESPACE,
+        "name": layout.name,
+        "units": layout.units,
+        "facade": layout.facade_file,
+        "seed": layout.seed,
+        "index": layout.index,
+    }
+    lines = [f"<{_joined('layout', head)}>", *_picture_lines(layout.picture), *_root_lines(layout.root)]
+    return _document(lines, "layout")
+
+
+def constraint_lines(constraints: Iterable[Constraint], prefix: str = "") -> Iterator[str]:
+    """Yield the lines of constraint elements, their comments above them.
+
+    Parameters
+    ----------
+    prefix
+        Of the namespace, with its colon, where it is not the default one.
+    """
+    for constraint in constraints:
+        for line in comment_lines(constraint.comment):
+            # Two hyphens would end the comment.
+            yield f"<!-- {_writable(re.sub('-(?=-)', '- ', line))} -->"
+        shown = {
+            a.name: a.type.text(value)
+            for a in constraint.attributes()
+            if (value := getattr(constraint, a.field_name)) != a.default or a.required
+        }
+        yield f"<{_joined(prefix + constraint.kind, shown)}/>"
+
+
+def _document(lines: Iterable[str], root: str) -> bytes:
+    return "\n".join([_DECLARATION, *lines, f"</{root}>", ""]).encode()
+
+
+def _picture_lines(picture: Picture | None) -> Iterator[str]:
+    if picture is not None:
+        sides = dict(zip(("left", "top", "right", "bottom"), map(format_number, picture.box), strict=True))
+        yield f"{INDENT}<{_joined('picture', {'file': picture.file, **sides})}/>"
+
+
+def _root_lines(root: Region) -> Iterator[str]:
+    size = {"width": format_number(root.width), "height": format_number(root.height)}
+    yield from _region_lines(root, size, INDENT)
+
+
+def _region_lines(region: Region, size: dict[str, str], indent: str) -> Iterator[str]:
+    shown = {
+        "symbol": region.symbol,
+        **size,
+        "split": region.split,
+        "labels": " ".join(region.labels) or None,
+        "fill": region.fill if region.fill != "stretch" else None,
+    }
+    if region.split is None:
+        yield f"{indent}<{_joined('region', shown)}/>"
+        return
+    along = "width" if region.split == "columns" else "height"
+    yield f"{indent}<{_joined('region', shown)}>"
+    latest: dict[str, Region] = {}
+    for child in region.children:
+        _check_across(child, region)
+        if latest.get(child.symbol) == child:
+            yield f"{indent}{INDENT}<{_joined('again', {'symbol': child.symbol})}/>"
+        else:
+            latest[child.symbol] = child
+            own = {along: format_number(child.extent(region.split))}
+            yield from _region_lines(child, own, indent + INDENT)
+    yield f"{indent}</region>"
+
+
+def _check_across(child: Region, parent: Region) -> None:
+    own, other = (child.height, parent.height) if parent.split == "columns" else (child.width, parent.width)
+    if abs(own - other) > TILING_TOLERANCE * other:
+        both = f"{own!r}, not {other!r}"
+        raise ValueError(f"the region {child.symbol} does not reach across {parent.symbol}: {both}")
+
+
+def _joined(name: str, attributes: Mapping[str, object]) -> str:
+    """Return what stands between < and >: the name, and the attributes that are not None."""
+    shown = (
+        f'{key}="{_writable(str(value)).translate(_ESCAPES)}"'
+        for key, value in attributes.items()
+        if value is not None
+    )
+    return " ".join([name, *shown])
+
+
+def _writable(text: str) -> str:
+    if found := _UNWRITABLE.search(text):
+        message = f"XML cannot hold the character {found[0]!r} in {text!r}"
+        raise Faulty([Diagnostic("LK009", message, hint="rename what contains it", topic="xml")])
+    return text

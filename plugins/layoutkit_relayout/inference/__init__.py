@@ -1,0 +1,1 @@
+"""Inference: constraints read off a segmentation, for the user to edit."""

@@ -1,0 +1,155 @@
+"""Bays: floors that share them, which bays may be neighbours, and how often rare ones occur."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement
+from layoutkit.constraints.generators import framed, sequences
+from layoutkit.model import Facade, Measure, Region, RegionSet, Word
+
+from layoutkit_relayout.inference.freedom import Freedom
+from layoutkit_relayout.inference.sizes import WALLS
+
+#: A bay is rare that occurs this many times less often than the commonest.
+_RARE = 3
+#: Heights at an edge are the same within this share of a floor's height.
+_SAME_HEIGHT = 0.02
+
+
+@dataclass(frozen=True, slots=True)
+class Lockstep:
+    """Floors of one parent whose columns have the same word, and so share their bays.
+
+    Attributes
+    ----------
+    paths
+        Their symbol paths.
+    word
+        The word.
+    """
+
+    paths: tuple[str, ...]
+    word: tuple[str, ...]
+
+
+def locksteps(facade: Facade) -> list[Lockstep]:
+    """Return the outermost regions of at least three columns, those of one parent and one word together."""
+    found: defaultdict[tuple[str, tuple[str, ...]], list[str]] = defaultdict(list)
+    for path, region in facade.regions.items():
+        inside = any(path.startswith(f"{outer}/") for outers in found.values() for outer in outers)
+        if not inside and region.split == "columns" and len(region.children) >= 3 and not _houses(region):
+            found[(path.rpartition("/")[0], region.word)].append(path)
+    return [Lockstep(tuple(paths), word) for (_, word), paths in found.items()]
+
+
+def _houses(region: Region) -> bool:
+    """Tell whether the columns are houses side by side, not bays: one of them has floors of its own."""
+    return any(sum("Floor" in row.labels for row in house.children) > 1 for house in region.children)
+
+
+def bays(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
+    """Yield what ties the floors of each lockstep, and what frees their bays."""
+    for lockstep in locksteps(facade):
+        coupled = len(lockstep.paths) > 1 and freedom.lockstep
+        if coupled:
+            yield SameArrangement(of=lockstep.paths, comment="bays stand one above the other in these floors")
+            yield from _in_line(lockstep)
+        for paths in (lockstep.paths,) if coupled else tuple((path,) for path in lockstep.paths):
+            part = Lockstep(paths, lockstep.word)
+            if (words := _sequences(facade, part, freedom)) is not None:
+                yield from sequences(paths, words, "which bays and piers may be neighbours")
+                yield from _rare(part, freedom)
+
+
+def _in_line(lockstep: Lockstep) -> Iterator[Alignment]:
+    first, *others = (
+        RegionSet.union(dict.fromkeys(f"{path}/{symbol}" for symbol in lockstep.word)) for path in lockstep.paths
+    )
+    for number, other in enumerate(others):
+        comment = "bays and piers of these floors are in line" if number == 0 else ""
+        yield Alignment(first=first, second=other, lines=("left",), comment=comment)
+
+
+def _sequences(facade: Facade, lockstep: Lockstep, freedom: Freedom) -> tuple[Word, ...] | None:
+    """Return what may follow each bay or pier; None where nothing but the input's word would come of it."""
+    word = lockstep.word
+    edges = _Edges(facade, lockstep)
+    seen = dict.fromkeys(zip(word, word[1:], strict=False))
+    only_ends = {s for s in (word[0], word[-1]) if word.count(s) == 1}
+    after: dict[str, list[str]] = {symbol: [] for symbol in dict.fromkeys(word)}
+    for one in after:
+        for other in after:
+            new = freedom.order == "matching" and edges.match(one, other) and not only_ends & {one, other}
+            if (one, other) in seen or new:
+                after[one].append(other)
+    if all(len(others) <= 1 for others in after.values()):
+        return None
+    return framed([word[0]], after, [word[-1]])
+
+
+def _rare(lockstep: Lockstep, freedom: Freedom) -> Iterator[Frequency]:
+    """Keep bays rare that are rare in the input."""
+    count = Counter(lockstep.word)
+    most = max(count.values())
+    rare = [s for s, n in count.items() if n * _RARE <= most and s not in (lockstep.word[0], lockstep.word[-1])]
+    for number, symbol in enumerate(rare):
+        yield Frequency(
+            of=RegionSet(symbol),
+            within=lockstep.paths[0],
+            max=Measure(freedom.rare, relative=True),
+            comment="a rare bay stays rare" if number == 0 else "",
+        )
+
+
+class _Edges:
+    """What runs across the edges of the bays of a lockstep: elements that the neighbour goes on with."""
+
+    def __init__(self, facade: Facade, lockstep: Lockstep) -> None:
+        self.word = lockstep.word
+        self._floors = [facade.regions[path] for path in lockstep.paths]
+        self._children = [{c.symbol: c for c in floor.children} for floor in self._floors]
+        pairs = dict.fromkeys(zip(self.word, self.word[1:], strict=False))
+        self._sorts = {(self._space(a), self._space(b)) for a, b in pairs}
+        self._across: dict[tuple[str, int], set[tuple[int, str, int, int]]] = defaultdict(set)
+        for one, other in pairs:
+            running = self._touching(one, 1) & self._touching(other, 0)
+            self._across[(one, 1)] |= running
+            self._across[(other, 0)] |= running
+
+    def match(self, one: str, other: str) -> bool:
+        """Tell whether two that are no neighbours in the input may be: nothing that runs on is cut off."""
+        if (self._space(one), self._space(other)) not in self._sorts:
+            return False
+        if not self._space(one) and not self._space(other):
+            return False  # two bays without a pier between them only where the input has them so
+        running = self._across[(one, 1)], self._across[(other, 0)]
+        return running[0] == running[1]
+
+    def _space(self, symbol: str) -> bool:
+        """Tell whether a column is mere space between bays: nothing but wall, or what runs along it."""
+        return all("Bay" not in children[symbol].labels for children in self._children)
+
+    def _touching(self, symbol: str, side: int) -> set[tuple[int, str, int, int]]:
+        found = set()
+        for number, children in enumerate(self._children):
+            unit = _SAME_HEIGHT * children[symbol].height
+            for label, bottom, top in _edge(children[symbol], side, 0.0):
+                if label not in WALLS:
+                    found.add((number, label, round(bottom / unit), round(top / unit)))
+        return found
+
+
+def _edge(region: Region, side: int, bottom: float) -> Iterator[tuple[str, float, float]]:
+    """Yield label, bottom and top of every terminal that touches the left (0) or right (1) edge."""
+    if region.split is None:
+        kept = [label for label in region.labels if label not in ("Bay", "Pier")]
+        yield (kept[0] if kept else "Wall"), bottom, bottom + region.height
+    elif region.split == "columns":
+        yield from _edge(region.children[-1 if side else 0], side, bottom)
+    else:
+        for child in reversed(region.children):
+            yield from _edge(child, side, bottom)
+            bottom += child.height

@@ -1,0 +1,60 @@
+"""How much freedom inferred constraints leave (Bao et al. 2013, Fig. 14: loose, medium, strict)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+Level = Literal["strict", "medium", "loose"]
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Size bounds and deviation, as shares of the input's size."""
+
+    least: float
+    most: float
+    deviation: float
+
+
+@dataclass(frozen=True, slots=True)
+class Freedom:
+    """What inference may leave open.
+
+    Attributes
+    ----------
+    elements
+        Sizes of windows, doors, ornaments and the bays they stand in.
+    bands
+        Sizes of cornices and other things that run along.
+    walls
+        Sizes of walls, the space between elements.
+    order
+        Which bays may be neighbours: those that are in the input (``kept``), or all whose edges match
+        (``matching``).
+    lockstep
+        Whether floors that share their bays keep on sharing them.
+    rare
+        Greatest count of a rare bay, as a share of the input's count and grown with the width.
+    """
+
+    elements: Span
+    bands: Span
+    walls: Span
+    order: Literal["kept", "matching"]
+    lockstep: bool
+    rare: float
+
+
+LEVELS: Mapping[Level, Freedom] = {
+    "strict": Freedom(
+        Span(0.94, 1.07, 0.01), Span(0.9, 1.15, 0.02), Span(0.6, 2.5, 0.06), "kept", True, 1.0
+    ),
+    "medium": Freedom(
+        Span(0.87, 1.17, 0.02), Span(0.8, 1.3, 0.04), Span(0.5, 3.0, 0.12), "matching", True, 1.5
+    ),
+    "loose": Freedom(
+        Span(0.75, 1.35, 0.06), Span(0.7, 1.5, 0.08), Span(0.35, 4.0, 0.25), "matching", False, 3.0
+    ),
+}

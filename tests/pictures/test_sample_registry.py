@@ -1,0 +1,38 @@
+"""The registry of our own designs, and where shipped files are found."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from layoutkit import shipped as shipping
+from layoutkit.diagnostics import Faulty
+from layoutkit.samples import list_samples, sample_path
+
+
+def test_samples_have_names_descriptions_and_documents() -> None:
+    samples = list_samples()
+    assert [s.name for s in samples] == ["plain", "arcade", "townhouse", "palace"]
+    assert all(s.description and s.path.is_file() for s in samples)
+    assert sample_path("palace") == samples[-1].path
+
+
+def test_unknown_samples_are_named_with_the_nearest() -> None:
+    with pytest.raises(Faulty) as caught:
+        sample_path("palce")
+    assert caught.value.diagnostics[0].code == "LK710"
+    assert "'palace'" in caught.value.diagnostics[0].hint
+
+
+def test_shipped_folders_are_found_in_a_wheel_and_in_a_checkout(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = tmp_path / "layoutkit"
+    (tmp_path / "facades").mkdir()
+    monkeypatch.setattr(shipping, "_PACKAGE", package)
+    assert shipping.shipped("facades") == tmp_path / "facades"
+    (package / "_shipped" / "facades").mkdir(parents=True)
+    assert shipping.shipped("facades") == package / "_shipped" / "facades"
+    with pytest.raises(FileNotFoundError, match="schemas"):
+        shipping.shipped("schemas")
