@@ -2,8 +2,8 @@
 
     python benchmarks/conversion.py [FOLDER] [--only b0012,b0033]
 
-FOLDER holds cmp_*.xml with their pictures (by default ../shared/data/cmp). Agreement is the share of pixels on
-which the facade's terminals show what the boxes show, painted in the database's order; background counts too.
+FOLDER holds cmp_*.xml with their pictures (by default ../shared/data/cmp). Agreement is the share of pixels
+on which the facade's terminals show what the boxes show, painted in the database's order; background counts.
 """
 
 from __future__ import annotations
@@ -45,9 +45,10 @@ class Row:
     def __str__(self) -> str:
         groups = "+".join(map(str, self.groups))
         return (
-            f"{self.name}  agreement {self.agreement:.3f}  boxes {self.boxes:3d}  terminals {self.terminals:4d} "
-            f"({self.terminals / self.boxes:.2f} a box)  paths {self.symbols:4d}  floors in line {groups:12}  "
-            f"distinct strips {self.distinct:4.0%}  {self.seconds:.2f} s"
+            f"{self.name}  agreement {self.agreement:.3f}  boxes {self.boxes:3d}  "
+            f"terminals {self.terminals:4d} ({self.terminals / self.boxes:.2f} a box)  "
+            f"paths {self.symbols:4d}  floors in line {groups:12}  distinct strips {self.distinct:4.0%}  "
+            f"{self.seconds:.2f} s"
         )
 
 
@@ -92,7 +93,7 @@ def measure(file: Path) -> Row:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description="how well CMP annotations are converted")
     parser.add_argument("folder", nargs="?", type=Path, default=DATA)
     parser.add_argument("--only", default="", help="names, e.g. b0012,b0033")
     arguments = parser.parse_args()

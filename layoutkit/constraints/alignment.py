@@ -73,13 +73,13 @@ class Alignment(Constraint):
         """Yield the pairs that may have to align, scope by scope."""
         facade = arrangement.facade
         first, second = (
-            [slot for path in facade.select(regions) for slot in arrangement.occurrences(path)]
+            [slot for path in facade.select(regions) for slot in arrangement.slots(path, self.axis)]
             for regions in (self.first, self.second)
         )
         shares = tuple(LINES[line][1] for line in self.lines)
         scopes: tuple[Slot | None, ...] = (None,)
         if self.within is not None:
-            scopes = arrangement.occurrences(self.within)
+            scopes = arrangement.slots(self.within, self.axis)
         for scope in scopes:
             inside = [
                 tuple(s for s in slots if scope is None or s.inside(scope)) for slots in (first, second)

@@ -16,7 +16,7 @@ DEFAULT_LEAST, DEFAULT_MOST, DEFAULT_DEVIATION = 0.5, 2.0, 0.1
 
 
 def default_sizes(facade: Facade) -> tuple[Size, ...]:
-    """Return a size constraint for every region that has none and that nothing inside divides along it.
+    """Return a size constraint for every region that has none and that nothing inside divides.
 
     Such are all terminals, and a bay of rows in a floor of columns; a floor's height, on the other hand, comes
     from what is inside.
@@ -31,15 +31,15 @@ def default_sizes(facade: Facade) -> tuple[Size, ...]:
             comment="default size",
         )
         for path, region in facade.regions.items()
-        if "/" in path and path not in sized and not _divided(region, axis_of(facade, path))
+        if "/" in path and path not in sized and not divided(region, axis_of(facade, path))
     )
 
 
-def _divided(region: Region, axis: int) -> bool:
+def divided(region: Region, axis: int) -> bool:
     """Tell whether some region inside is split along the axis."""
     if region.split is None:
         return False
-    return AXIS[region.split] == axis or any(_divided(child, axis) for child in region.children)
+    return AXIS[region.split] == axis or any(divided(child, axis) for child in region.children)
 
 
 def effective_constraints(facade: Facade) -> tuple[Constraint, ...]:

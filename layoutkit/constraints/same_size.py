@@ -79,7 +79,7 @@ class SameSize(Constraint):
         """Yield an equality between the first occurrence in each scope and every other."""
         scopes: tuple[Slot | None, ...] = (None,)
         if self.within is not None:
-            scopes = arrangement.occurrences(self.within)
+            scopes = arrangement.slots(self.within, self.axis)
         for scope in scopes:
             forms = [form for extent in self._extents for form in self._forms(extent, arrangement, scope)]
             for other in forms[1:]:
@@ -91,7 +91,7 @@ class SameSize(Constraint):
         facade = arrangement.facade
         paths = facade.select(extent.regions) if extent.regions is not None else (extent.within,)
         for path in paths:
-            slots = arrangement.occurrences(path)
+            slots = arrangement.slots(path, self.axis)
             if not slots or (scope is not None and not any(slot.inside(scope) for slot in slots)):
                 continue
             if extent.word is None:

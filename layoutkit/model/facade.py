@@ -80,26 +80,50 @@ class Facade:
             Path of the composite region whose direct children single symbols in the set mean; labels
             then mean any region inside it. None: the whole facade.
         """
-        key = (regions, within)
+        key = (id(regions), within)
         if key not in self._selected:
+            found = self._members(regions, within)
             prefix = f"{within}/" if within else ""
-            self._selected[key] = tuple(
-                path
-                for path, region in self.regions.items()
-                if path.startswith(prefix) and regions.contains(names_of(path, region, within))
-            )
-        return self._selected[key]
+            inside = (path for path in found if path.startswith(prefix))
+            self._selected[key] = regions, tuple(sorted(inside, key=self._order.__getitem__))
+        return self._selected[key][1]
+
+    def _members(self, regions: RegionSet, within: str | None) -> frozenset[str]:
+        """Evaluate a set; the left spine, which is as long as a union has names, without recursion."""
+        spine = [regions]
+        while (left := spine[-1].left) is not None:
+            spine.append(left)
+        found = set(self._named(spine.pop().name, within))
+        for node in reversed(spine):
+            assert node.right is not None
+            other = self._members(node.right, within)
+            if node.operator == "|":
+                found |= other
+            elif node.operator == "&":
+                found &= other
+            else:
+                found -= other
+        return frozenset(found)
+
+    def _named(self, name: str, within: str | None) -> frozenset[str]:
+        if name.startswith("@"):
+            return self._labelled.get(name[1:], frozenset())
+        path = name if within is None or "/" in name else f"{within}/{name}"
+        return frozenset({path} & self.regions.keys())
 
     @cached_property
-    def _selected(self) -> dict[tuple[RegionSet, str | None], tuple[str, ...]]:
-        """What `select` has found: constraints ask again for every variation."""
+    def _labelled(self) -> dict[str, frozenset[str]]:
+        found: defaultdict[str, set[str]] = defaultdict(set)
+        for path, region in self.regions.items():
+            for label in region.labels:
+                found[label].add(path)
+        return {label: frozenset(paths) for label, paths in found.items()}
+
+    @cached_property
+    def _order(self) -> dict[str, int]:
+        return {path: number for number, path in enumerate(self.regions)}
+
+    @cached_property
+    def _selected(self) -> dict[tuple[int, str | None], tuple[RegionSet, tuple[str, ...]]]:
+        """What `select` has found, by the identity of the set, which the value keeps alive."""
         return {}
-
-
-def names_of(path: str, region: Region, within: str | None = None) -> frozenset[str]:
-    """Return all names that the region at `path` goes by: path, labels, and its symbol within a parent."""
-    parent, _, symbol = path.rpartition("/")
-    names = {path, *(f"@{label}" for label in region.labels)}
-    if within is not None and parent == within:
-        names.add(symbol)
-    return frozenset(names)

@@ -70,30 +70,42 @@ class RegionSet:
 
     def names(self) -> tuple[str, ...]:
         """Return every name in the expression, in order, labels with their ``@``."""
-        if self.left is None or self.right is None:
-            return (self.name,)
-        return self.left.names() + self.right.names()
+        return tuple(leaf.name for leaf in self._spine("|&-") for leaf in leaf._leaves())
+
+    def _spine(self, operators: str) -> list[RegionSet]:
+        """Return the operands joined by these operators along the left: as many as a union has names."""
+        operands, node = [], self
+        while node.left is not None and node.right is not None and (node.operator or "") in operators:
+            operands.append(node.right)
+            node = node.left
+        return [node, *reversed(operands)]
+
+    def _leaves(self) -> Iterator[RegionSet]:
+        if self.operator is None:
+            yield self
+        else:
+            for operand in self._spine("|&-"):
+                yield from operand._leaves()
 
     def terms(self) -> tuple[str, ...]:
         """Return the names joined by unions, or the whole expression as a single term."""
-        if self.operator != "|" or self.left is None or self.right is None:
-            return (str(self),)
-        return self.left.terms() + self.right.terms()
+        return tuple(str(operand) for operand in self._spine("|"))
 
     def contains(self, names: frozenset[str]) -> bool:
         """Tell whether a region that goes by all of `names` (labels with their ``@``) is in the set."""
         if self.left is None or self.right is None:
             return self.name in names
-        left, right = self.left.contains(names), self.right.contains(names)
         if self.operator == "|":
-            return left or right
-        return left and (right if self.operator == "&" else not right)
+            return any(operand.contains(names) for operand in self._spine("|"))
+        return self.left.contains(names) and self.right.contains(names) is (self.operator == "&")
 
     def __str__(self) -> str:
-        if self.left is None or self.right is None:
-            return self.name
-        right = f"({self.right})" if self.right.operator else str(self.right)
-        return f"{self.left} {self.operator} {right}"
+        parts, node = [], self
+        while node.left is not None and node.right is not None:
+            right = f"({node.right})" if node.right.operator else str(node.right)
+            parts += [right, str(node.operator)]
+            node = node.left
+        return " ".join([node.name, *reversed(parts)])
 
 
 def _tokens(text: str) -> Iterator[str]:

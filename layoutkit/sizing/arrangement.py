@@ -11,44 +11,32 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from layoutkit.model import Facade, Region, Split
+from layoutkit.model import Facade, Split
 from layoutkit.sizing.rules import Form, Range
 
 #: Axis numbers: x is divided by columns, y (down from the top) by rows.
 AXIS: Mapping[Split, int] = {"columns": 0, "rows": 1}
 
-Interval = tuple[Form, Form]
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Slot:
-    """A placed region whose size is still unknown.
+    """A region placed along one axis, its size still unknown.
+
+    Occurrences that stand in the same place along the axis, as all bays of a floor do in height, are one slot.
 
     Attributes
     ----------
-    symbol_path
-        Its symbol path; `index` is its place in the parent's word.
-    spans
-        Start and end, as forms over the lines of x and of y.
+    order
+        The places in their words of the slot's ancestors that the axis divides, and of itself.
+    start, end
+        Its ends along the axis.
     """
 
     symbol_path: str
-    region: Region
     parent: Slot | None
-    index: int
-    spans: tuple[Interval, Interval]
-
-    @property
-    def order(self) -> tuple[int, ...]:
-        """The places in their words of the slot's ancestors along its own axis, and of itself."""
-        split = self.parent.region.split if self.parent is not None else None
-        order: list[int] = []
-        slot = self
-        while slot.parent is not None:
-            if slot.parent.region.split == split:
-                order.append(slot.index)
-            slot = slot.parent
-        return tuple(reversed(order))
+    order: tuple[int, ...]
+    start: Form
+    end: Form
 
     def inside(self, ancestor: Slot) -> bool:
         """Tell whether the slot lies in `ancestor`, or is it."""
@@ -56,6 +44,12 @@ class Slot:
         while slot is not None and slot is not ancestor:
             slot = slot.parent
         return slot is ancestor
+
+    def line(self, share: float) -> Form:
+        """Return the line at a share of the extent: 0 the start, 0.5 the centre, 1 the end."""
+        if share in (0.0, 1.0):
+            return self.end if share else self.start
+        return add({line: value * (1 - share) for line, value in self.start.items()}, self.end, share)
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +90,7 @@ class Arrangement:
         self.lines = [2, 2]
         self.frames: dict[str, Frame] = {}
         self.replicas: list[Range] = []
-        self._slots: dict[str, tuple[Slot, ...]] = {}
+        self._slots: dict[tuple[str, int], tuple[Slot, ...]] = {}
         self._add(facade.root.symbol, ((0, 1), (0, 1)))
 
     def _add(self, root: str, ends: tuple[tuple[int, int], tuple[int, int]]) -> None:
@@ -123,33 +117,32 @@ class Arrangement:
                 span = (cuts[index], cuts[index + 1])
                 pending.append((f"{path}/{symbol}", (span, y) if axis == 0 else (x, span)))
 
-    def occurrences(self, path: str) -> tuple[Slot, ...]:
-        """Return every placed region of the symbol path, in reading order; none if no word reaches it."""
+    def slots(self, path: str, axis: int) -> tuple[Slot, ...]:
+        """Return the places of a symbol path along an axis, in reading order; none if no word reaches it."""
         if path not in self.frames:
             return ()
-        if path not in self._slots:
-            self._slots[path] = tuple(self._place(path))
-        return self._slots[path]
+        key = (path, axis)
+        if key not in self._slots:
+            self._slots[key] = tuple(self._place(path, axis))
+        return self._slots[key]
 
-    def _place(self, path: str) -> Iterator[Slot]:
-        region, frame = self.facade.regions[path], self.frames[path]
-        spans = tuple(({start: 1.0}, {end: 1.0}) for start, end in frame.ends)
+    def _place(self, path: str, axis: int) -> Iterator[Slot]:
+        start, end = self.frames[path].ends[axis]
         parent_path, _, symbol = path.rpartition("/")
         if not parent_path:
-            yield Slot(path, region, None, 0, (spans[0], spans[1]))
+            yield Slot(path, None, (), {start: 1.0}, {end: 1.0})
             return
-        parent_frame, word = self.frames[parent_path], self.words[parent_path]
-        split = self.facade.regions[parent_path].split
-        axis = AXIS["rows" if split == "rows" else "columns"]
-        first = word.index(symbol)
-        for parent in self.occurrences(parent_path):
-            shifts = [_difference(parent.spans[a][0], {parent_frame.ends[a][0]: 1.0}) for a in (0, 1)]
+        frame, word = self.frames[parent_path], self.words[parent_path]
+        divided = AXIS[self.facade.regions[parent_path].split or "columns"] == axis
+        origin = {frame.ends[axis][0]: 1.0}
+        for parent in self.slots(parent_path, axis):
+            shift = _difference(parent.start, origin)
+            if not divided:
+                yield Slot(path, parent, parent.order, add({start: 1.0}, shift), add({end: 1.0}, shift))
+                continue
             for index in (i for i, s in enumerate(word) if s == symbol):
-                moved = list(shifts)
-                step = _difference({parent_frame.cuts[index]: 1.0}, {parent_frame.cuts[first]: 1.0})
-                moved[axis] = add(moved[axis], step)
-                placed = [(add(spans[a][0], moved[a]), add(spans[a][1], moved[a])) for a in (0, 1)]
-                yield Slot(path, region, parent, index, (placed[0], placed[1]))
+                left, right = ({frame.cuts[index + i]: 1.0} for i in (0, 1))
+                yield Slot(path, parent, (*parent.order, index), add(left, shift), add(right, shift))
 
     def extent(self, path: str, axis: int) -> Form:
         """Return the size of the symbol along an axis, the same for all its occurrences."""

@@ -85,7 +85,14 @@ def polish(problem: QP, x: Floats) -> Floats:
     equal = problem.least == problem.most
     if not equal.any():
         return x
-    rows = problem.rows[equal].toarray()
-    missing = problem.least[equal] - rows @ x
-    step: Floats = np.linalg.lstsq(rows, missing, rcond=None)[0]
-    return x + step
+    rows = problem.rows.toarray()[equal]
+    ends = problem.least[equal]
+    gram = rows @ rows.T
+    # Rows may depend on each other: a little on the diagonal, and the step repeated, serves as a pseudo-inverse.
+    gram[np.diag_indices_from(gram)] += 1e-9
+    for _ in range(4):
+        missing = ends - rows @ x
+        if np.abs(missing).max() < 1e-15:
+            break
+        x = x + rows.T @ np.linalg.solve(gram, missing)
+    return x

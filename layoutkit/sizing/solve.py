@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -84,7 +84,6 @@ def size_axis(axis: Axis, backends: Sequence[Backend], budget: Budget) -> Sized:
     first is tried first: for pairs that correspond by their order, then for all that surely overlap, then one
     by one.
     """
-    axis = replace(axis, aligned=[_distinct(rule) for rule in axis.aligned])
     if guess := tuple(row for pair in _corresponding(axis) for row in _in_line(*pair)):
         found = _solve(axis, guess, backends, budget)
         if found.positions is not None:
@@ -113,15 +112,6 @@ def _matched(
         for one, other in zip(*ordered, strict=True):
             if one is not other:
                 yield rule, one, other
-
-
-def _distinct(rule: Aligned) -> Aligned:
-    """Return the rule with one region for each place along the axis: others in line with it are so for good."""
-    sides = []
-    for slots in (rule.first, rule.second):
-        own = {tuple(tuple(sorted(f.items())) for f in slot.spans[rule.axis]): slot for slot in slots[::-1]}
-        sides.append(tuple(reversed(own.values())))
-    return replace(rule, first=sides[0], second=sides[1])
 
 
 def _solve(axis: Axis, extra: tuple[Range, ...], backends: Sequence[Backend], budget: Budget) -> Sized:
@@ -188,7 +178,7 @@ def out_of_line(axis: Axis, positions: Floats) -> Iterator[_Pair]:
     """Yield every pair that overlaps and whose lines do not coincide."""
     tolerance = OVERLAP * axis.size
     for rule in axis.aligned:
-        first, second = (_intervals(slots, axis.number, positions) for slots in (rule.first, rule.second))
+        first, second = (_intervals(slots, positions) for slots in (rule.first, rule.second))
         starts = np.maximum(first[:, None, 0], second[None, :, 0])
         overlap = np.minimum(first[:, None, 1], second[None, :, 1]) - starts
         gap = np.zeros_like(overlap)
@@ -202,8 +192,8 @@ def out_of_line(axis: Axis, positions: Floats) -> Iterator[_Pair]:
                 yield _Pair(float(overlap[i, j]), sure, rule.first[i], rule.second[j], rule)
 
 
-def _intervals(slots: Sequence[Slot], axis: int, positions: Floats) -> Floats:
-    return np.array([[value(form, positions) for form in slot.spans[axis]] for slot in slots])
+def _intervals(slots: Sequence[Slot], positions: Floats) -> Floats:
+    return np.array([[value(slot.start, positions), value(slot.end, positions)] for slot in slots])
 
 
 def value(form: Form, positions: Floats) -> float:
@@ -214,7 +204,7 @@ def value(form: Form, positions: Floats) -> float:
 def _in_line(rule: Aligned, first: Slot, second: Slot) -> tuple[Range, ...]:
     rows = []
     for share in rule.lines:
-        difference = add(_line(first, rule.axis, share), _line(second, rule.axis, share), -1.0)
+        difference = add(first.line(share), second.line(share), -1.0)
         rows.append(Range(rule.axis, difference, 0.0, 0.0, rule.origin))
     return tuple(rows)
 
@@ -222,13 +212,8 @@ def _in_line(rule: Aligned, first: Slot, second: Slot) -> tuple[Range, ...]:
 def _apart(pair: _Pair) -> Iterator[tuple[Range, ...]]:
     axis, origin = pair.rule.axis, pair.rule.origin
     for before, after in ((pair.first, pair.second), (pair.second, pair.first)):
-        gap = add(after.spans[axis][0], before.spans[axis][1], -1.0)
+        gap = add(after.start, before.end, -1.0)
         yield (Range(axis, gap, 0.0, float("inf"), origin),)
-
-
-def _line(slot: Slot, axis: int, share: float) -> Form:
-    start, end = slot.spans[axis]
-    return add({k: v * (1 - share) for k, v in start.items() if share < 1}, end, share) if share else start
 
 
 def _origins(reduced: Reduced) -> tuple[Any, ...]:

@@ -263,9 +263,7 @@ class _Block:
         frame = LabelBox(self.frame.label, 0.0, 0.0, width, height)
         return _evened(guillotine(boxes, frame, self.scale.prices), self.scale.tolerance)
 
-    def _names(
-        self, columns: Sequence[int], shown: dict[tuple[int, int], list[LabelBox]]
-    ) -> dict[int, str]:
+    def _names(self, columns: Sequence[int], shown: dict[tuple[int, int], list[LabelBox]]) -> dict[int, str]:
         names: dict[int, str] = {}
         for p, c in enumerate(columns):
             if c in names:

@@ -83,9 +83,7 @@ def boxes_of(path: Path, width: int, height: int, remarks: list[Diagnostic]) -> 
         found = _box(item, place, remarks)
         if found is None:
             continue
-        box = LabelBox(
-            found.label, found.x0 * width, found.y0 * height, found.x1 * width, found.y1 * height
-        )
+        box = LabelBox(found.label, found.x0 * width, found.y0 * height, found.x1 * width, found.y1 * height)
         if box in seen:
             message = f"the {box.label} box is there twice"
             remarks.append(_warning("LK307", message, place, "the copy is left out"))
@@ -120,21 +118,33 @@ def _box(item: _Element, place: Place, remarks: list[Diagnostic]) -> LabelBox | 
     name = (item.findtext("labelname") or "").strip().lower()
     if name not in CLASSES:
         shown = repr(name) if name else "no class"
-        remarks.append(_warning("LK304", f"{shown} is not one of the database's classes", place,
-                                did_you_mean(name, CLASSES)))
+        remarks.append(
+            _warning(
+                "LK304", f"{shown} is not one of the database's classes", place, did_you_mean(name, CLASSES)
+            )
+        )
         return None
     try:
         down, across = ([float(e.text or "") for e in item.iterfind(f"points/{axis}")] for axis in "xy")
     except ValueError:
         down, across = [], []
     if min(len(down), len(across)) < 2 or not all(map(math.isfinite, down + across)):
-        remarks.append(_warning("LK305", f"the {name} box lacks two finite numbers for each axis", place,
-                                "the box is left out"))
+        remarks.append(
+            _warning(
+                "LK305",
+                f"the {name} box lacks two finite numbers for each axis",
+                place,
+                "the box is left out",
+            )
+        )
         return None
     inside = [[min(1.0, max(0.0, v)) for v in (min(values), max(values))] for values in (across, down)]
     if min(down + across) < -0.01 or max(down + across) > 1.01:
-        remarks.append(_warning("LK306", f"the {name} box reaches beyond the picture", place,
-                                "only the part inside is kept"))
+        remarks.append(
+            _warning(
+                "LK306", f"the {name} box reaches beyond the picture", place, "only the part inside is kept"
+            )
+        )
     (x0, x1), (y0, y1) = inside
     if x1 <= x0 or y1 <= y0:
         remarks.append(_warning("LK305", f"the {name} box has no area", place, "the box is left out"))

@@ -165,4 +165,3 @@ def _leaves(piece: Piece, x: float, y: float) -> Iterator[LabelBox]:
             x += child.width
         else:
             y += child.height
-

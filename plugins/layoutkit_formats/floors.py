@@ -157,9 +157,7 @@ def _merged(slabs: Sequence[Row], thin: float) -> list[Row]:
 _UPWARD, _DOWNWARD = frozenset({"Sill", "Balcony"}), frozenset({"Cornice", "Deco", "Blind"})
 
 
-def _attached(
-    rows: Sequence[Row], boxes: Sequence[LabelBox], width: float, near: float
-) -> list[Row]:
+def _attached(rows: Sequence[Row], boxes: Sequence[LabelBox], width: float, near: float) -> list[Row]:
     """Join sills, hoods and the like with the floor that they belong to."""
     found = list(rows)
     at = 0

@@ -16,9 +16,6 @@ UNLIKE = 0.4
 #: Elements that run along this share of a building are bands.
 BAND = 0.6
 
-#: Bands that end within this share of a building's width before its sides reach them.
-BAND_END = 0.01
-
 
 def snapped(boxes: Sequence[LabelBox], frame: LabelBox, tolerance: tuple[float, float]) -> list[LabelBox]:
     """Return the boxes with edges near to each other, or to the frame, put in line.
@@ -49,9 +46,7 @@ def in_line(
     found = list(boxes)
     for label in sorted({box.label for box in boxes}):
         own = [i for i, box in enumerate(found) if box.label == label]
-        sides = [
-            _clusters([_edge(found[i], axis, side) for i in own], tolerance) for side in (0, 1)
-        ]
+        sides = [_clusters([_edge(found[i], axis, side) for i in own], tolerance) for side in (0, 1)]
         for i, start, end in zip(own, *sides, strict=True):
             if end > start:
                 found[i] = found[i].with_span(axis, start, end)
@@ -61,26 +56,18 @@ def in_line(
 
 
 def attracted(boxes: Sequence[LabelBox], frame: LabelBox, reach: float) -> list[LabelBox]:
-    """Return the boxes with their level edges put to those of bands near by.
-
-    Bands run along the frame; where they end just before its sides, they are made to reach them.
-    """
-    bands = [box.width > BAND * frame.width for box in boxes]
-    lines = sorted({y for box, band in zip(boxes, bands, strict=True) if band for y in box.span(1)})
-    end = BAND_END * frame.width
-    return [
-        _drawn(box, 0, frame.span(0), end) if band else _drawn(box, 1, lines, reach)
-        for box, band in zip(boxes, bands, strict=True)
-    ]
+    """Return the boxes with their level edges put to those of bands near by, which run along the frame."""
+    bands = [box for box in boxes if box.width > BAND * frame.width]
+    lines = sorted({y for box in bands for y in box.span(1)})
+    return [box if box in bands else _drawn(box, lines, reach) for box in boxes]
 
 
-def _drawn(box: LabelBox, axis: int, lines: Sequence[float], reach: float) -> LabelBox:
-    """Return the box with each of its edges along an axis put to the nearest line within reach."""
+def _drawn(box: LabelBox, lines: Sequence[float], reach: float) -> LabelBox:
     ends = []
-    for end in box.span(axis):
+    for end in box.span(1):
         near = min(lines, key=lambda line: abs(line - end), default=end)
         ends.append(near if abs(near - end) <= reach else end)
-    return box.with_span(axis, *ends) if ends[1] - ends[0] > reach else box
+    return box.with_span(1, *ends) if ends[1] - ends[0] > reach else box
 
 
 class _Edge(NamedTuple):

@@ -15,6 +15,8 @@ Word = tuple[str, ...]
 
 #: Shares of the way from a size's centre to its bounds: words that need little stretching come first.
 COMFORT = (0.35, 0.7, 1.0)
+#: A range that holds no size.
+NOTHING: Interval = (1.0, 0.0)
 #: Draws at each level before the next one is tried.
 DRAWS = 6
 
@@ -27,12 +29,15 @@ class Question:
     ----------
     members
         The group's members that the layout reaches, and the length that each is to fill.
+    excluded
+        Letters that some member cannot have, as they do not fit across it.
     counts
         For each frequency rule that the group can still decide: least and greatest number of counted regions
         in one region of each letter, then the range for their sum.
     """
 
     members: tuple[tuple[str, Interval], ...]
+    excluded: frozenset[str]
     counts: tuple[tuple[tuple[Interval, ...], float, float], ...]
 
 
@@ -85,7 +90,10 @@ class Candidates:
         if key not in self._tables:
             members = question.members if which == "all" else question.members[:1]
             ranges = [
-                self._range(group, letter, [m for m, _ in members], comfort) for letter in group.letters
+                NOTHING
+                if letter in question.excluded
+                else self._range(group, letter, [m for m, _ in members], comfort)
+                for letter in group.letters
             ]
             shortest, longest = members[0][1]
             for _, interval in members[1:]:

@@ -68,6 +68,7 @@ class Search:
     def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
         self.model, self.size, self.backends = model, size, tuple(backends)
         self.candidates = Candidates(model)
+        self._lengths: tuple[Words, dict[str, tuple[Interval, Interval]]] | None = None
 
     def variation(self, seed: int, index: int, node_limit: int) -> Found:
         """Find one layout; variation `index` of a seed is the same whichever others are made."""
@@ -109,7 +110,7 @@ class Search:
                 return
             progress.used += 1
             chosen = {**words, **{m: group.word_of(m, word) for m, _ in question.members}}
-            if not self._possible(group, chosen):
+            if not self._goes_on(group, chosen):
                 continue
             progress.choices.append(chosen)
             yield from self._complete(chosen, generator, progress)
@@ -150,25 +151,36 @@ class Search:
         """Return what the words chosen so far leave open for a group; None if nothing can fit."""
         lengths = self.lengths(words)
         members = []
+        excluded = set()
         for member in group.members:
             if member in lengths:
-                interval = lengths[member][self.model.axis(member)]
-                if interval[0] > interval[1] * (1 + 1e-9):
+                axis = self.model.axis(member)
+                if not all(map(_possible, lengths[member])):
                     return None
-                members.append((member, interval))
+                members.append((member, lengths[member][axis]))
+                across = lengths[member][1 - axis]
+                for letter, symbol in group.symbols[member].items():
+                    if not _possible(meet(across, self.model.hull(f"{member}/{symbol}", 1 - axis))):
+                        excluded.add(letter)
         counts = []
         for rule in self.model.counts:
             inside = tuple(self._contribution(group, letter, rule, words) for letter in group.letters)
             if any(high > 0 for _, high in inside):
                 least, most = self._left_over(group, rule, words)
                 counts.append((inside, least, most))
-        return Question(tuple(members), tuple(counts))
+        return Question(tuple(members), frozenset(excluded), tuple(counts))
 
     def lengths(self, words: Words) -> dict[str, tuple[Interval, Interval]]:
         """Return, for each reached region, intervals that hold its width and its height."""
+        if self._lengths is None or self._lengths[0] is not words:
+            self._lengths = words, self._measured(words)
+        return self._lengths[1]
+
+    def _measured(self, words: Words) -> dict[str, tuple[Interval, Interval]]:
         model = self.model
         root = model.facade.root.symbol
-        found: dict[str, tuple[Interval, Interval]] = {root: ((self.size[0],) * 2, (self.size[1],) * 2)}
+        width, height = (meet((size, size), model.hull(root, axis)) for axis, size in enumerate(self.size))
+        found: dict[str, tuple[Interval, Interval]] = {root: (width, height)}
         pending = [root]
         while pending:
             path = pending.pop()
@@ -242,7 +254,7 @@ class Search:
         size = (region.width, region.height)[axis]
         return rule.least.at(shortest / size), rule.most.at(longest / size)
 
-    def _possible(self, group: WordGroup, words: Words) -> bool:
+    def _goes_on(self, group: WordGroup, words: Words) -> bool:
         """Size the axis of a group that is tied to others chosen before it, all else still open."""
         if not any(m in words for g in self.model.neighbours(group) for m in g.members):
             return True
@@ -317,6 +329,11 @@ class Search:
                 if not least - 1e-6 <= count <= most + 1e-6:
                     return False
         return True
+
+
+def _possible(interval: Interval) -> bool:
+    """Tell whether an interval holds a size, rounding aside."""
+    return interval[0] <= interval[1] * (1 + 1e-9)
 
 
 def _children(path: str, word: Word) -> list[str]:

@@ -56,6 +56,12 @@ class Relayout(Stage):
         facade
             With its constraints; without any, terminals keep to the default sizes and words to the input's.
         """
+        from layoutkit.sizing.threads import single_threaded
+
+        with single_threaded():
+            yield from self._variations(facade, options)
+
+    def _variations(self, facade: Facade, options: RelayoutOptions) -> Iterator[Outcome]:
         from layoutkit.sizing.backends import BACKENDS
         from layoutkit_relayout.model import Model
         from layoutkit_relayout.search import Search

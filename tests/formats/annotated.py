@@ -44,9 +44,7 @@ def remarks(folder: Path, boxes: Iterable[Shares]) -> Sequence[Diagnostic]:
     return CmpFormat().read(write(folder, boxes), None)[1]
 
 
-def grid(
-    columns: int, rows: int, jitter: float = 0.0, seed: int = 0, sill: bool = False
-) -> list[Shares]:
+def grid(columns: int, rows: int, jitter: float = 0.0, seed: int = 0, sill: bool = False) -> list[Shares]:
     """A wall with windows (and sills) in rows and columns, each edge off by up to `jitter` of the picture."""
     random = np.random.default_rng(seed)
     boxes = [WHOLE]

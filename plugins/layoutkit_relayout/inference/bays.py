@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import accumulate
 
 from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement
 from layoutkit.constraints.generators import framed, sequences
 from layoutkit.model import Facade, Measure, Region, RegionSet, Word
-
 from layoutkit_relayout.inference.freedom import Freedom
 from layoutkit_relayout.inference.sizes import WALLS
 
@@ -17,6 +17,8 @@ from layoutkit_relayout.inference.sizes import WALLS
 _RARE = 3
 #: Heights at an edge are the same within this share of a floor's height.
 _SAME_HEIGHT = 0.02
+#: Columns of two floors are the same whose lines coincide within this share of the facade's width.
+_IN_LINE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,13 +38,15 @@ class Lockstep:
 
 
 def locksteps(facade: Facade) -> list[Lockstep]:
-    """Return the outermost regions of at least three columns, those of one parent and one word together."""
-    found: defaultdict[tuple[str, tuple[str, ...]], list[str]] = defaultdict(list)
+    """Return the outermost regions of at least three columns, those together whose columns are the same."""
+    found: defaultdict[tuple[str, tuple[str, ...], tuple[int, ...]], list[str]] = defaultdict(list)
+    unit = _IN_LINE * facade.root.width
     for path, region in facade.regions.items():
         inside = any(path.startswith(f"{outer}/") for outers in found.values() for outer in outers)
         if not inside and region.split == "columns" and len(region.children) >= 3 and not _houses(region):
-            found[(path.rpartition("/")[0], region.word)].append(path)
-    return [Lockstep(tuple(paths), word) for (_, word), paths in found.items()]
+            cuts = tuple(round(cut / unit) for cut in accumulate(c.width for c in region.children))
+            found[(path.rpartition("/")[0], region.word, cuts)].append(path)
+    return [Lockstep(tuple(paths), word) for (_, word, _), paths in found.items()]
 
 
 def _houses(region: Region) -> bool:
@@ -66,7 +70,8 @@ def bays(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
 
 def _in_line(lockstep: Lockstep) -> Iterator[Alignment]:
     first, *others = (
-        RegionSet.union(dict.fromkeys(f"{path}/{symbol}" for symbol in lockstep.word)) for path in lockstep.paths
+        RegionSet.union(dict.fromkeys(f"{path}/{symbol}" for symbol in lockstep.word))
+        for path in lockstep.paths
     )
     for number, other in enumerate(others):
         comment = "bays and piers of these floors are in line" if number == 0 else ""
@@ -94,13 +99,15 @@ def _rare(lockstep: Lockstep, freedom: Freedom) -> Iterator[Frequency]:
     """Keep bays rare that are rare in the input."""
     count = Counter(lockstep.word)
     most = max(count.values())
-    rare = [s for s, n in count.items() if n * _RARE <= most and s not in (lockstep.word[0], lockstep.word[-1])]
-    for number, symbol in enumerate(rare):
+    rare = [
+        s for s, n in count.items() if n * _RARE <= most and s not in (lockstep.word[0], lockstep.word[-1])
+    ]
+    if rare:
         yield Frequency(
-            of=RegionSet(symbol),
+            of=RegionSet.union(rare),
             within=lockstep.paths[0],
             max=Measure(freedom.rare, relative=True),
-            comment="a rare bay stays rare" if number == 0 else "",
+            comment="rare bays stay rare",
         )
 
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from layoutkit.constraints import Frequency
 from layoutkit.model import Facade, Measure, RegionSet
-
 from layoutkit_relayout.inference.bays import locksteps
 
 #: Up to so many doors a facade keeps their number; more of them grow with the width.

@@ -5,80 +5,68 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from layoutkit.constraints import Size
+from layoutkit.constraints.defaults import divided
 from layoutkit.constraints.size import axis_of
-from layoutkit.model import Facade, Measure, Region, RegionSet
-from layoutkit.sizing.arrangement import AXIS
-
+from layoutkit.model import Facade, Measure, RegionSet
 from layoutkit_relayout.inference.freedom import Freedom, Span
 
-#: Labels of space that may be stretched, and of things that run along a facade.
-WALLS = frozenset({"Wall", "Pier", "Facade", "Background", "Sky", "Roof"})
-BANDS = frozenset({"Cornice", "Molding", "Balcony", "Sill", "Shop", "Deco"})
+#: Labels of space that may be stretched; of rooms for other things; and of bands, which run along a facade.
+WALLS = frozenset({"Wall", "Pier", "Background", "Sky", "Roof"})
+FLOOR, BAY = "Floor", "Bay"
+ROOMS = frozenset({"Facade", "Building", FLOOR})
+#: A column that takes more than this share of the facade's width grows with it.
+_WIDE = 0.3
 
 
 def sizes(facade: Facade, freedom: Freedom) -> Iterator[Size]:
-    """Yield three size constraints: for elements, bands and walls, as far as there are any."""
-    undivided = [
-        path
-        for path, region in facade.regions.items()
-        if "/" in path and not divided(region, axis_of(facade, path))
-    ]
-    sorts: dict[str, list[str]] = {"walls": [], "bands": [], "elements": []}
-    for path in undivided:
-        sorts[_sort(facade, path)].append(path)
-    texts = {
-        "walls": (freedom.walls, "walls and piers take up what is left over"),
-        "bands": (freedom.bands, "bands keep about their height"),
-        "elements": (freedom.elements, "windows, doors and ornaments keep about their size"),
-    }
-    for sort, paths in sorts.items():
-        if paths:
-            span, comment = texts[sort]
-            yield _size(named(facade, paths), span, comment)
+    """Yield size constraints for space and for elements, by their labels, then for what has no label."""
+    wide = [path for path in facade.regions if "/" in path and _wide(facade, path)]
+    soft = _without(_labelled(WALLS & facade.labels), [f"@{BAY}"] if BAY in facade.labels else [])
+    firm = _without(_labelled(facade.labels - WALLS - ROOMS), wide)
+    floors = _labelled({FLOOR} & facade.labels)
+    yield from _size(soft, freedom.walls, "walls and piers take up what is left over")
+    yield from _size(firm, freedom.elements, "windows, doors and ornaments keep about their size")
+    yield from _size(floors, freedom.floors, "floors keep about their height")
+    given = [regions for regions in (soft, firm, floors) if regions is not None]
+    sized = {path for regions in given for path in facade.select(regions)}
+    rest = [path for path in facade.regions if "/" in path and path not in sized and _undivided(facade, path)]
+    broad = [path for path in rest if path in wide]
+    groups = [path for path in rest if path not in wide]
+    yield from _size(_union(broad), freedom.walls, "what takes much of the width grows with it")
+    yield from _size(_union(groups), freedom.elements, "groups of elements keep about their size")
 
 
-def divided(region: Region, axis: int) -> bool:
-    """Tell whether a split inside the region runs along the axis."""
-    if region.split is None:
-        return False
-    return AXIS[region.split] == axis or any(divided(child, axis) for child in region.children)
-
-
-def _sort(facade: Facade, path: str) -> str:
+def _wide(facade: Facade, path: str) -> bool:
+    """Tell whether a column takes so much of the facade's width that it must grow with it."""
     region = facade.regions[path]
-    if region.terminal and region.labels and set(region.labels) <= WALLS:
-        return "walls"
-    along_rows = axis_of(facade, path) == 1
-    return "bands" if along_rows and region.terminal and set(region.labels) & BANDS else "elements"
+    wide = axis_of(facade, path) == 0 and region.width > _WIDE * facade.root.width
+    return wide and _undivided(facade, path) and not WALLS & set(region.labels)
 
 
-def _size(regions: RegionSet, span: Span, comment: str) -> Size:
-    return Size(
-        of=regions,
-        min=Measure(span.least, relative=True),
-        max=Measure(span.most, relative=True),
-        deviation=Measure(span.deviation, relative=True),
-        comment=comment,
-    )
+def _undivided(facade: Facade, path: str) -> bool:
+    return not divided(facade.regions[path], axis_of(facade, path))
 
 
-def named(facade: Facade, paths: Sequence[str]) -> RegionSet:
-    """Return a set of just these regions, by labels as far as they go, the rest by paths."""
-    wanted, names = set(paths), []
-    for label in sorted(facade.labels):
-        own = facade.select(RegionSet(f"@{label}"))
-        if wanted.issuperset(own):
-            names.append(f"@{label}")
-    covered = {p for name in names for p in facade.select(RegionSet(name))}
-    return RegionSet.union([*_needed(facade, names), *(p for p in paths if p not in covered)])
+def _labelled(labels: Iterable[str]) -> RegionSet | None:
+    return _union([f"@{label}" for label in sorted(labels)])
 
 
-def _needed(facade: Facade, names: Iterable[str]) -> list[str]:
-    """Drop labels whose regions others have already."""
-    kept, covered = [], set()
-    for name in sorted(names, key=lambda n: -len(facade.select(RegionSet(n)))):
-        own = set(facade.select(RegionSet(name)))
-        if not own <= covered:
-            kept.append(name)
-            covered |= own
-    return kept
+def _union(names: Sequence[str]) -> RegionSet | None:
+    return RegionSet.union(names) if names else None
+
+
+def _without(regions: RegionSet | None, names: Sequence[str]) -> RegionSet | None:
+    for name in names if regions is not None else ():
+        regions = RegionSet(operator="-", left=regions, right=RegionSet(name))
+    return regions
+
+
+def _size(regions: RegionSet | None, span: Span, comment: str) -> Iterator[Size]:
+    if regions is not None:
+        yield Size(
+            of=regions,
+            min=Measure(span.least, relative=True),
+            max=Measure(span.most, relative=True),
+            deviation=Measure(span.deviation, relative=True),
+            comment=comment,
+        )

@@ -10,7 +10,6 @@ from typing import ClassVar
 from layoutkit.constraints import Constraint
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Facade
-
 from layoutkit_relayout.inference.bays import bays
 from layoutkit_relayout.inference.doors import doors
 from layoutkit_relayout.inference.freedom import LEVELS, Freedom, Level

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from layoutkit.constraints import Sequence
 from layoutkit.constraints.generators import sequences
 from layoutkit.model import Facade, Region, RegionSet, Word
-
 from layoutkit_relayout.inference.bays import locksteps
 from layoutkit_relayout.inference.freedom import Freedom
 
@@ -73,7 +72,7 @@ def _words(found: Storeys, may_vary: Collection[str], freedom: Freedom) -> list[
     for i in free:
         between = found.gaps[i - 1] if i > 0 else found.gaps[i]
         ways[(found.floors[i], *between, found.floors[i])] = None
-        if 0 < i and freedom.order == "matching":
+        if i > 0 and freedom.order == "matching":
             ways[(found.floors[i - 1], *found.gaps[i], found.floors[i + 1])] = None
     words = [_word((*found.head, found.floors[0]), at_start=True)]
     words += [_word(way) for way in ways]
