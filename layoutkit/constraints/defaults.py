@@ -18,8 +18,8 @@ DEFAULT_LEAST, DEFAULT_MOST, DEFAULT_DEVIATION = 0.5, 2.0, 0.1
 def default_sizes(facade: Facade) -> tuple[Size, ...]:
     """Return a size constraint for every region that has none and that nothing inside divides.
 
-    Such are all terminals, and a bay of rows in a floor of columns; a floor's height, on the other hand, comes
-    from what is inside.
+    Such are all terminals, and a bay of rows in a floor of columns; a floor's height, on the other hand,
+    comes from what is inside.
     """
     sized = {path for c in facade.constraints if isinstance(c, Size) for path in facade.select(c.of)}
     return tuple(

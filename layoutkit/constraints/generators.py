@@ -6,6 +6,7 @@ Each returns words; `sequences` makes constraints of them, that a user may edit 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from itertools import pairwise
 
 from layoutkit.constraints.sequence import Sequence as SequenceConstraint
 from layoutkit.model import RegionSet, Word
@@ -48,7 +49,7 @@ def repetition(word: Symbols, optional: Collection[int], repeating: Collection[i
 
 def two_shuffle(word: Symbols) -> tuple[Word, ...]:
     """Return every pair of neighbours in a word, and its reverse, once each."""
-    pairs = dict.fromkeys(zip(word, word[1:], strict=False))
+    pairs = dict.fromkeys(pairwise(word))
     pairs.update(dict.fromkeys((b, a) for a, b in list(pairs)))
     return tuple(Word(_single(pair)) for pair in pairs)
 

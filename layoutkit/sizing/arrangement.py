@@ -22,7 +22,7 @@ AXIS: Mapping[Split, int] = {"columns": 0, "rows": 1}
 class Slot:
     """A region placed along one axis, its size still unknown.
 
-    Occurrences that stand in the same place along the axis, as all bays of a floor do in height, are one slot.
+    Occurrences that stand in the same place along the axis, as all bays of a floor do in height, are one.
 
     Attributes
     ----------

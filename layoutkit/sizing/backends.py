@@ -88,7 +88,7 @@ def polish(problem: QP, x: Floats) -> Floats:
     rows = problem.rows.toarray()[equal]
     ends = problem.least[equal]
     gram = rows @ rows.T
-    # Rows may depend on each other: a little on the diagonal, and the step repeated, serves as a pseudo-inverse.
+    # Rows may depend on each other: a little on the diagonal, and the step repeated, is a pseudo-inverse.
     gram[np.diag_indices_from(gram)] += 1e-9
     for _ in range(4):
         missing = ends - rows @ x

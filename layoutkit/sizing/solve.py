@@ -92,7 +92,7 @@ def size_axis(axis: Axis, backends: Sequence[Backend], budget: Budget) -> Sized:
 
 
 def _corresponding(axis: Axis) -> Iterator[tuple[Aligned, Slot, Slot]]:
-    """Yield pairs that likely overlap: of as many regions on either side, the first with the first, and so on.
+    """Yield pairs that likely overlap: of as many regions on either side, first with first, and so on.
 
     Where one side has several symbols, it is taken symbol by symbol.
     """

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import reduce
 
 import numpy as np
 
@@ -13,8 +14,8 @@ from layoutkit_relayout.table import CompletionTable, Lengths
 
 Word = tuple[str, ...]
 
-#: Shares of the way from a size's centre to its bounds: words that need little stretching come first.
-COMFORT = (0.35, 0.7, 1.0)
+#: Standard deviations that sizes may be off their centres: words that need little stretching come first.
+COMFORT = (1.5, 4.0, np.inf)
 #: A range that holds no size.
 NOTHING: Interval = (1.0, 0.0)
 #: Draws at each level before the next one is tried.
@@ -65,7 +66,7 @@ class Candidates:
                 if word not in seen and self._fits(group, question, word):
                     seen.add(word)
                     yield word
-        for word in self.table(group, question, "loose", 1.0).words():
+        for word in self.table(group, question, "loose", np.inf).words():
             if word not in seen and self._fits(group, question, word):
                 yield word
 
@@ -73,7 +74,7 @@ class Candidates:
         for comfort in COMFORT:
             yield self.table(group, question, "all", comfort)
         if len(question.members) > 1:
-            yield self.table(group, question, "loose", 1.0)
+            yield self.table(group, question, "loose", np.inf)
 
     def table(self, group: WordGroup, question: Question, which: str, comfort: float) -> CompletionTable:
         """Return the table of a group's words.
@@ -84,7 +85,7 @@ class Candidates:
             ``all``: a letter's size suits every member, as where they are aligned; ``loose``: the first
             member's alone, which no fitting word fails.
         comfort
-            Share of the way from the centre to the bounds that sizes may go.
+            How many standard deviations sizes may be off their centres.
         """
         key = (group, question, which, comfort)
         if key not in self._tables:
@@ -105,18 +106,12 @@ class Candidates:
                 longest,
             )
             machine = self._machine(group, question)
-            self._tables[key] = CompletionTable(machine, lengths, np.array(self.model.weights(group)))
+            self._tables[key] = CompletionTable(machine, lengths, self.model.weights(group, machine))
         return self._tables[key]
 
-    def _range(self, group: WordGroup, letter: str, members: list[str], comfort: float) -> Interval:
-        found: Interval = (0.0, np.inf)
-        for member in members:
-            path = f"{member}/{group.symbols[member][letter]}"
-            least, most = self.model.hull(path, self.model.axis(member))
-            centre = self.model.centre(path)
-            upper = centre + comfort * (most - centre) if comfort < 1 else most
-            found = meet(found, (centre - comfort * (centre - least) if comfort < 1 else least, upper))
-        return found
+    def _range(self, group: WordGroup, letter: str, members: Sequence[str], comfort: float) -> Interval:
+        paths = ((m, f"{m}/{group.symbols[m][letter]}") for m in members)
+        return reduce(meet, (self.model.hull(path, self.model.axis(m), comfort) for m, path in paths))
 
     def _machine(self, group: WordGroup, question: Question) -> Machine:
         if not question.counts:

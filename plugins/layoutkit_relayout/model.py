@@ -8,6 +8,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
 
+import numpy as np
+from numpy.typing import NDArray
+
 from layoutkit.constraints import Constraint, Size
 from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.size import axis_of, input_size
@@ -17,6 +20,7 @@ from layoutkit.sizing.arrangement import AXIS
 from layoutkit_relayout.machine import Exactly, Machine, build
 
 Interval = tuple[float, float]
+Floats = NDArray[np.float64]
 ANY: Interval = (0.0, math.inf)
 
 
@@ -82,8 +86,8 @@ class Model:
         self.counts = tuple(rule for rule in rules if isinstance(rule, Counts))
         self.groups = tuple(_groups(facade, rules))
         self.group_of = {path: group for group in self.groups for path in group.members}
-        self._bounds = _own_bounds(facade, self.constraints)
-        self._hulls: dict[tuple[str, int], Interval] = {}
+        self._bounds, self._shapes = _own_sizes(facade, self.constraints)
+        self._hulls: dict[tuple[str, int, float], Interval] = {}
 
     def axis(self, path: str) -> int:
         """Return the axis that a composite region splits."""
@@ -111,31 +115,41 @@ class Model:
                 yield group
             path = path.rpartition("/")[0]
 
-    def centre(self, path: str) -> float:
-        """Return the size along the parent's split that a region should have, all else aside."""
-        least, most = self.hull(path, axis_of(self.facade, path))
-        return min(max(input_size(self.facade, path), least), most)
+    def hull(self, path: str, axis: int, comfort: float = math.inf) -> Interval:
+        """Return an interval that holds every size the region can have along an axis.
 
-    def hull(self, path: str, axis: int) -> Interval:
-        """Return an interval that holds every size the region can have along an axis."""
-        key = (path, axis)
+        Parameters
+        ----------
+        comfort
+            How many standard deviations each size may be off its centre; infinite: as far as its bounds.
+        """
+        key = (path, axis, comfort)
         if key not in self._hulls:
-            own = self._bounds[path] if axis_of(self.facade, path) == axis else ANY
-            self._hulls[key] = meet(own, self._inner(path, axis))
+            own = self._own(path, comfort) if axis_of(self.facade, path) == axis else ANY
+            self._hulls[key] = meet(own, self._inner(path, axis, comfort))
         return self._hulls[key]
 
-    def _inner(self, path: str, axis: int) -> Interval:
+    def _own(self, path: str, comfort: float) -> Interval:
+        least, most = self._bounds.get(path, ANY)
+        if math.isinf(comfort) or path not in self._shapes:
+            return least, most
+        centre, deviation = self._shapes[path]
+        near = min(max(centre, least), most)
+        return max(least, near - comfort * deviation), min(most, near + comfort * deviation)
+
+    def _inner(self, path: str, axis: int, comfort: float) -> Interval:
         region = self.facade.regions[path]
         if region.split is None:
             return ANY
-        machine = self.group_of[path].machine
-        symbols = self.group_of[path].symbols[path]
-        inner = [self.hull(f"{path}/{symbols[letter]}", axis) for letter in machine.letters]
+        group = self.group_of[path]
+        inner = [
+            self.hull(f"{path}/{group.symbols[path][letter]}", axis, comfort) for letter in group.letters
+        ]
+        lows, highs = [low for low, _ in inner], [high for _, high in inner]
         if AXIS[region.split] == axis:
-            return shortest(machine, [low for low, _ in inner]), longest(machine, [high for _, high in inner])
-        used = [inner[machine.letters.index(letter)] for letter in self.group_of[path].always]
-        hull = min(low for low, _ in inner), max(high for _, high in inner)
-        return reduce(meet, used, hull)
+            return shortest(group.machine, lows), longest(group.machine, highs)
+        always = [inner[group.letters.index(letter)] for letter in group.always]
+        return reduce(meet, always, (min(lows), max(highs)))
 
     def content(self, path: str, counted: frozenset[str]) -> Interval:
         """Return least and greatest number of counted regions in one region of the path, itself included."""
@@ -152,13 +166,19 @@ class Model:
         least = shortest(machine, [low for low, _ in inner])
         return own + least, own + longest(machine, [high for _, high in inner])
 
-    def weights(self, group: WordGroup) -> list[float]:
-        """Return a weight for each letter: as often as it occurs in the input, 1 on average."""
-        member = group.members[0]
-        seen = Counter(self.facade.regions[member].word)
-        symbols = [group.symbols[member][letter] for letter in group.letters]
-        total = sum(seen[symbol] for symbol in symbols)
-        return [seen[symbol] * len(symbols) / total for symbol in symbols]
+    def weights(self, group: WordGroup, machine: Machine) -> Floats:
+        """Return the weight of each letter in each state: its share of what may follow, by its frequency.
+
+        The shares of a state add up to 1, so that a word of the input's kind is the likeliest: without that,
+        words of many narrow letters would win by their number.
+        """
+        symbols = group.symbols[group.members[0]]
+        seen = Counter(self.facade.regions[group.members[0]].word)
+        often = np.array([float(seen[symbols[letter]]) for letter in machine.letters])
+        shares = np.where(machine.next >= 0, often, 0.0)
+        total = shares.sum(axis=1, keepdims=True)
+        weights: Floats = np.divide(shares, total, out=np.zeros_like(shares), where=total > 0)
+        return weights
 
 
 def meet(one: Interval, other: Interval) -> Interval:
@@ -174,13 +194,19 @@ def word_rules(facade: Facade, constraints: Sequence[Constraint]) -> list[WordRu
     return [rule for kind, own in kinds.items() for rule in kind.word_rules(own, facade)]
 
 
-def _own_bounds(facade: Facade, constraints: Sequence[Constraint]) -> dict[str, Interval]:
-    bounds = dict.fromkeys(facade.regions, ANY)
+def _own_sizes(
+    facade: Facade, constraints: Sequence[Constraint]
+) -> tuple[dict[str, Interval], dict[str, tuple[float, float]]]:
+    """Return the bounds of each region with a size constraint, and centre and deviation of the last one."""
+    bounds: dict[str, Interval] = {}
+    shapes: dict[str, tuple[float, float]] = {}
     for constraint in constraints:
         if isinstance(constraint, Size):
             for path in facade.select(constraint.of):
-                bounds[path] = meet(bounds[path], constraint.bounds(facade, path))
-    return bounds
+                size = input_size(facade, path)
+                bounds[path] = meet(bounds.get(path, ANY), constraint.bounds(facade, path))
+                shapes[path] = constraint.centre.of(size), constraint.deviation.of(size)
+    return bounds, shapes
 
 
 def _groups(facade: Facade, rules: Sequence[WordRule]) -> list[WordGroup]:

@@ -50,7 +50,7 @@ class CompletionTable:
     lengths
         The sizes that they are to fit.
     weights
-        Weight of each letter; a word's weight is their product.
+        Weight of each letter in each state, states × letters; a word's weight is their product.
     """
 
     def __init__(self, machine: Machine, lengths: Lengths, weights: Floats) -> None:
@@ -87,7 +87,7 @@ class CompletionTable:
                 return tuple(word)
             # What is left of the share decides the following letters.
             word.append(self.machine.letters[letter])
-            rest = min(rest, mass * (1 - 1e-12)) / self.weights[letter]
+            rest = min(rest, mass * (1 - 1e-12)) / self.weights[state, letter]
             low, high = low + int(self._low[letter]), high + int(self._high[letter])
             state = int(self.machine.next[state, letter])
 
@@ -118,7 +118,7 @@ class CompletionTable:
             after = int(self.machine.next[state, letter])
             mass = self._mass(after, low + int(self._low[letter]), high + int(self._high[letter]))
             if mass > 0:
-                ways.append((int(letter), float(mass * self.weights[letter])))
+                ways.append((int(letter), float(mass * self.weights[state, letter])))
         if self.machine.accepting[state] and self._fits(low, high):
             ways.append((None, 1.0))
         elif ways:
@@ -142,7 +142,9 @@ def _cumulative(machine: Machine, sizes: NDArray[np.int64], weights: Floats, cel
     for letter in range(len(machine.letters)):
         origin = np.flatnonzero(machine.next[:, letter] >= 0)
         if len(origin) and sizes[letter] <= cells:
-            moves.append((origin, machine.next[origin, letter], int(sizes[letter]), float(weights[letter])))
+            moves.append(
+                (origin, machine.next[origin, letter], int(sizes[letter]), weights[origin, letter][:, None])
+            )
     block = min((size for _, _, size, _ in moves), default=cells + 1)
     for start in range(0, cells + 1, block):
         stop = min(start + block, cells + 1)

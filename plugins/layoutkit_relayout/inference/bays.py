@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement
 from layoutkit.constraints.generators import framed, sequences
@@ -82,7 +82,7 @@ def _sequences(facade: Facade, lockstep: Lockstep, freedom: Freedom) -> tuple[Wo
     """Return what may follow each bay or pier; None where nothing but the input's word would come of it."""
     word = lockstep.word
     edges = _Edges(facade, lockstep)
-    seen = dict.fromkeys(zip(word, word[1:], strict=False))
+    seen = dict.fromkeys(pairwise(word))
     only_ends = {s for s in (word[0], word[-1]) if word.count(s) == 1}
     after: dict[str, list[str]] = {symbol: [] for symbol in dict.fromkeys(word)}
     for one in after:
@@ -118,7 +118,7 @@ class _Edges:
         self.word = lockstep.word
         self._floors = [facade.regions[path] for path in lockstep.paths]
         self._children = [{c.symbol: c for c in floor.children} for floor in self._floors]
-        pairs = dict.fromkeys(zip(self.word, self.word[1:], strict=False))
+        pairs = dict.fromkeys(pairwise(self.word))
         self._sorts = {(self._space(a), self._space(b)) for a, b in pairs}
         self._across: dict[tuple[str, int], set[tuple[int, str, int, int]]] = defaultdict(set)
         for one, other in pairs:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 from layoutkit.constraints import Sequence
 from layoutkit.constraints.generators import sequences
@@ -13,6 +14,10 @@ from layoutkit_relayout.inference.freedom import Freedom
 
 #: Labels of what belongs on the ground: a floor that has it stays where it is.
 GROUNDED = frozenset({"Door", "Shop"})
+
+
+#: With more free floors than these, the topmost stays as it is.
+_TOP_STAYS = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +48,8 @@ def storeys(facade: Facade, freedom: Freedom) -> Iterator[Sequence]:
         if region.split == "rows" and sum(map(is_floor, region.children)) >= 2:
             shared = {p for lockstep in locksteps(facade) if len(lockstep.paths) > 1 for p in lockstep.paths}
             free = {child.symbol for child in region.children if _may_vary(child)}
-            words = _words(_read(region), {s for s in free if f"{path}/{s}" in shared} or free, freedom)
+            free = {s for s in free if f"{path}/{s}" in shared} or free
+            words = _words(_read(region), free, freedom)
             yield from sequences(
                 [path], words, "upper floors may repeat or be left out, with what is between them"
             )
@@ -57,7 +63,7 @@ def is_floor(region: Region) -> bool:
 def _read(region: Region) -> Storeys:
     places = [i for i, child in enumerate(region.children) if is_floor(child)]
     word = region.word
-    gaps = tuple(word[a + 1 : b] for a, b in zip(places, places[1:], strict=False))
+    gaps = tuple(word[a + 1 : b] for a, b in pairwise(places))
     floors = tuple(word[i] for i in places)
     return Storeys(word[: places[0]], floors, gaps, word[places[-1] + 1 :])
 
@@ -66,6 +72,8 @@ def _words(found: Storeys, may_vary: Collection[str], freedom: Freedom) -> list[
     """Return one sequence a transition from floor to floor, and those of head and foot."""
     last = len(found.floors) - 1
     free = [i for i in range(last) if found.floors[i] in may_vary]
+    if len(free) > _TOP_STAYS and free[0] == 0:
+        free = free[1:]  # the top floor bears the roof
     ways: dict[tuple[str, ...], None] = {}
     for i in range(last):
         ways[(found.floors[i], *found.gaps[i], found.floors[i + 1])] = None
