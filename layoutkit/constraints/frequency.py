@@ -15,7 +15,8 @@ from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Bound, Counts, WordRule
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, Measure, RegionSet, Violation
-from layoutkit.sizing.arrangement import AXIS
+from layoutkit.sizing.arrangement import AXIS, Arrangement
+from layoutkit.sizing.rules import Range, SizeRule
 
 if TYPE_CHECKING:
     from typing import Self
@@ -81,6 +82,21 @@ class Frequency(Constraint):
             yield Counts(
                 constraint.within, constraint.counted(facade), *constraint.ends(facade), (constraint,)
             )
+
+    def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
+        """Yield the sizes at which a relative range admits the count that the words have."""
+        if self.within not in arrangement.frames:
+            return
+        least, most = self.ends(arrangement.facade)
+        count, known = arrangement.count(self.within, self.counted(arrangement.facade))
+        axis = AXIS[arrangement.facade.regions[self.within].split or "columns"]
+        region = arrangement.facade.regions[self.within]
+        size = (region.width, region.height)[axis]
+        form = arrangement.extent(self.within, axis)
+        if most.relative and most.value > 0:
+            yield Range(axis, form, count / most.value * size, math.inf, self)
+        if least.relative and least.value > 0 and known:
+            yield Range(axis, form, 0.0, count / least.value * size, self)
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every encompassing region with too few or too many."""

@@ -8,7 +8,8 @@ instead of sizes).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 from layoutkit.model import Facade, Split
@@ -143,6 +144,17 @@ class Arrangement:
             for index in (i for i, s in enumerate(word) if s == symbol):
                 left, right = ({frame.cuts[index + i]: 1.0} for i in (0, 1))
                 yield Slot(path, parent, (*parent.order, index), add(left, shift), add(right, shift))
+
+    def count(self, path: str, counted: Collection[str]) -> tuple[int, bool]:
+        """Return how many counted regions stand in a region of the path, and whether all words are known."""
+        total, known = 0, True
+        if self.facade.regions[path].split is not None:
+            known = path in self.words
+            for symbol, times in Counter(self.words.get(path, ())).items():
+                inside, inner_known = self.count(f"{path}/{symbol}", counted)
+                total += times * (inside + (f"{path}/{symbol}" in counted))
+                known &= inner_known
+        return total, known
 
     def extent(self, path: str, axis: int) -> Form:
         """Return the size of the symbol along an axis, the same for all its occurrences."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from layoutkit_relayout.machine import Counting, Machine, build
 from layoutkit_relayout.model import Interval, Model, WordGroup, meet
-from layoutkit_relayout.table import CompletionTable, Lengths
+from layoutkit_relayout.table import Completions, CompletionTable, Letters
 
 Word = tuple[str, ...]
 
@@ -45,9 +45,9 @@ class Question:
 class Candidates:
     """Words of groups, from completion tables that are kept from one variation to the next."""
 
-    def __init__(self, model: Model) -> None:
-        self.model = model
-        self._tables: dict[tuple[WordGroup, Question, str, float], CompletionTable] = {}
+    def __init__(self, model: Model, size: tuple[float, float]) -> None:
+        self.model, self.size = model, size
+        self._tables: dict[object, CompletionTable] = {}
         self._machines: dict[tuple[WordGroup, object], Machine] = {}
 
     def words(
@@ -58,56 +58,55 @@ class Candidates:
         When the iterator ends, every word that could fit was yielded.
         """
         seen: set[Word] = set()
-        for table in self._levels(group, question):
-            if table.total <= 0:
+        for fitting in self._levels(group, question):
+            if fitting.total <= 0:
                 continue
             for attempt in range(DRAWS):
-                word = table.draw(share if attempt == 0 and not seen else generator.random())
+                word = fitting.draw(share if attempt == 0 and not seen else generator.random())
                 if word not in seen and self._fits(group, question, word):
                     seen.add(word)
                     yield word
-        for word in self.table(group, question, "loose", np.inf).words():
+        for word in self.fitting(group, question, question.members[:1], np.inf).words():
             if word not in seen and self._fits(group, question, word):
                 yield word
 
-    def _levels(self, group: WordGroup, question: Question) -> Iterator[CompletionTable]:
+    def _levels(self, group: WordGroup, question: Question) -> Iterator[Completions]:
+        """Yield choices of words, the most comfortable first; the last one leaves none out."""
         for comfort in COMFORT:
-            yield self.table(group, question, "all", comfort)
+            yield self.fitting(group, question, question.members, comfort)
         if len(question.members) > 1:
-            yield self.table(group, question, "loose", np.inf)
+            yield self.fitting(group, question, question.members[:1], np.inf)
 
-    def table(self, group: WordGroup, question: Question, which: str, comfort: float) -> CompletionTable:
-        """Return the table of a group's words.
+    def fitting(
+        self, group: WordGroup, question: Question, members: Sequence[tuple[str, Interval]], comfort: float
+    ) -> Completions:
+        """Return the words that suit some members of a group.
 
         Parameters
         ----------
-        which
-            ``all``: a letter's size suits every member, as where they are aligned; ``loose``: the first
-            member's alone, which no fitting word fails.
+        members
+            All of them, as where they are aligned: a letter's size then suits each; or the first alone, which
+            no fitting word fails.
         comfort
             How many standard deviations sizes may be off their centres.
         """
-        key = (group, question, which, comfort)
+        names = tuple(member for member, _ in members)
+        ranges = tuple(
+            NOTHING if letter in question.excluded else self._range(group, letter, names, comfort)
+            for letter in group.letters
+        )
+        key = (group, question.counts, ranges, self._reach(names))
         if key not in self._tables:
-            members = question.members if which == "all" else question.members[:1]
-            ranges = [
-                NOTHING
-                if letter in question.excluded
-                else self._range(group, letter, [m for m, _ in members], comfort)
-                for letter in group.letters
-            ]
-            shortest, longest = members[0][1]
-            for _, interval in members[1:]:
-                shortest, longest = meet((shortest, longest), interval)
-            lengths = Lengths(
-                np.array([low for low, _ in ranges]),
-                np.array([high for _, high in ranges]),
-                shortest,
-                longest,
-            )
             machine = self._machine(group, question)
-            self._tables[key] = CompletionTable(machine, lengths, self.model.weights(group, machine))
-        return self._tables[key]
+            least, most = np.array(ranges).reshape(-1, 2).T
+            letters = Letters(least, most, self.model.weights(group, machine))
+            self._tables[key] = CompletionTable(machine, letters, self._reach(names))
+        return self._tables[key].at(*reduce(meet, (interval for _, interval in members)))
+
+    def _reach(self, members: Sequence[str]) -> float:
+        """Return a length that none of the members can pass."""
+        axis = self.model.axis(members[0])
+        return min(self.size[axis], *(self.model.hull(member, axis)[1] for member in members))
 
     def _range(self, group: WordGroup, letter: str, members: Sequence[str], comfort: float) -> Interval:
         paths = ((m, f"{m}/{group.symbols[m][letter]}") for m in members)

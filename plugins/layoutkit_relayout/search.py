@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import reduce
 from typing import Literal
 
 import numpy as np
@@ -67,7 +68,7 @@ class Search:
 
     def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
         self.model, self.size, self.backends = model, size, tuple(backends)
-        self.candidates = Candidates(model)
+        self.candidates = Candidates(model, size)
         self._lengths: tuple[Words, dict[str, tuple[Interval, Interval]]] | None = None
 
     def variation(self, seed: int, index: int, node_limit: int) -> Found:
@@ -177,32 +178,50 @@ class Search:
         return self._lengths[1]
 
     def _measured(self, words: Words) -> dict[str, tuple[Interval, Interval]]:
-        model = self.model
-        root = model.facade.root.symbol
-        width, height = (meet((size, size), model.hull(root, axis)) for axis, size in enumerate(self.size))
+        hulls = self._hulls(words)
+        root = self.model.facade.root.symbol
+        width, height = (meet((size, size), hulls[root][axis]) for axis, size in enumerate(self.size))
         found: dict[str, tuple[Interval, Interval]] = {root: (width, height)}
         pending = [root]
         while pending:
             path = pending.pop()
-            word = words.get(path)
-            if word is None:
+            if path not in words:
                 continue
-            axis = model.axis(path)
-            count = Counter(word)
-            hulls = {symbol: model.hull(f"{path}/{symbol}", axis) for symbol in count}
-            low = sum(hulls[s][0] * n for s, n in count.items())
-            high = sum(hulls[s][1] * n for s, n in count.items())
+            axis = self.model.axis(path)
+            count = Counter(words[path])
+            inner = {symbol: hulls[f"{path}/{symbol}"] for symbol in count}
+            low = sum(inner[s][axis][0] * n for s, n in count.items())
+            high = sum(inner[s][axis][1] * n for s, n in count.items())
             shortest, longest = found[path][axis]
             for symbol, number in count.items():
-                least, most = hulls[symbol]
-                others_high = high - most * number if np.isfinite(high) else np.inf
-                own = (
-                    max(least, (shortest - others_high) / number if np.isfinite(others_high) else least),
-                    min(most, (longest - (low - least * number)) / number),
+                least, most = inner[symbol][axis]
+                others = high - most * number if np.isfinite(high) else np.inf
+                rest = (shortest - others) / number, (longest - (low - least * number)) / number
+                along, across = (
+                    meet((least, most), rest),
+                    meet(found[path][1 - axis], inner[symbol][1 - axis]),
                 )
-                across = meet(found[path][1 - axis], model.hull(f"{path}/{symbol}", 1 - axis))
-                found[f"{path}/{symbol}"] = (own, across) if axis == 0 else (across, own)
+                found[f"{path}/{symbol}"] = (along, across) if axis == 0 else (across, along)
                 pending.append(f"{path}/{symbol}")
+        return found
+
+    def _hulls(self, words: Words) -> dict[str, tuple[Interval, Interval]]:
+        """Return, for each reached region, intervals that hold its sizes, by what is inside it alone."""
+        model, found = self.model, dict[str, tuple[Interval, Interval]]()
+        order, pending = [], [model.facade.root.symbol]
+        while pending:
+            path = pending.pop()
+            order.append(path)
+            pending += _children(path, words.get(path, ()))
+        for path in reversed(order):
+            hulls = [model.hull(path, axis) for axis in (0, 1)]
+            if path in words:
+                axis, count = model.axis(path), Counter(words[path])
+                inner = [(found[f"{path}/{s}"], n) for s, n in count.items()]
+                total = sum(h[axis][0] * n for h, n in inner), sum(h[axis][1] * n for h, n in inner)
+                hulls[axis] = meet(hulls[axis], total)
+                hulls[1 - axis] = reduce(meet, (h[1 - axis] for h, _ in inner), hulls[1 - axis])
+            found[path] = hulls[0], hulls[1]
         return found
 
     def _contribution(self, group: WordGroup, letter: str, rule: Counts, words: Words) -> Interval:

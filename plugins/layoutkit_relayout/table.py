@@ -18,26 +18,27 @@ from layoutkit_relayout.machine import Machine
 
 Floats = NDArray[np.float64]
 
-#: Grid cells over the greatest length.
-CELLS = 4096
+#: Grid cells over the greatest length, at least and at most: finer where letters are narrow.
+COARSE, FINE = 1024, 8192
+#: Cells that the narrowest letter should have.
+_NARROWEST = 2
 
 
-@dataclass(frozen=True, eq=False)
-class Lengths:
-    """Sizes of letters, and the length that they are to fill.
+@dataclass(frozen=True, slots=True)
+class Letters:
+    """Sizes and weights of a machine's letters.
 
     Attributes
     ----------
     least, most
-        Range of each letter's size, in the machine's order; `most` may be infinite.
-    shortest, longest
-        Range of the whole word's length.
+        Range of each letter's size; `most` may be infinite, and is below `least` for a letter not to be used.
+    weights
+        Weight of each letter in each state, states × letters; a word's weight is their product.
     """
 
     least: Floats
     most: Floats
-    shortest: float
-    longest: float
+    weights: Floats
 
 
 class CompletionTable:
@@ -47,110 +48,136 @@ class CompletionTable:
     ----------
     machine
         The words.
-    lengths
-        The sizes that they are to fit.
-    weights
-        Weight of each letter in each state, states × letters; a word's weight is their product.
+    letters
+        Sizes and weights of the letters.
+    reach
+        The greatest length that will be asked for.
     """
 
-    def __init__(self, machine: Machine, lengths: Lengths, weights: Floats) -> None:
-        self.machine, self.weights = machine, weights
-        cell = lengths.longest / CELLS
-        usable = lengths.least <= lengths.most
-        self._low = np.where(usable, np.maximum(1, np.floor(lengths.least / cell + 1e-9)), CELLS + 2)
-        high = np.ceil(np.minimum(lengths.most, 2 * lengths.longest) / cell - 1e-9)
-        self._high = np.where(usable, np.maximum(self._low, high), CELLS + 2)
-        self._low, self._high = self._low.astype(np.int64), self._high.astype(np.int64)
-        self._short = int(np.floor(lengths.shortest / cell + 1e-9)) - 1
-        self._fitting = _cumulative(machine, self._low, weights, CELLS)
-        self._falling_short = _cumulative(machine, self._high, weights, max(self._short, 0))
+    def __init__(self, machine: Machine, letters: Letters, reach: float) -> None:
+        self.machine, self.weights = machine, letters.weights
+        usable = letters.least <= letters.most
+        narrowest = float(letters.least[usable].min(initial=reach))
+        self._cells = COARSE
+        while self._cells < FINE and narrowest * self._cells < _NARROWEST * reach:
+            self._cells *= 2
+        self._cell = reach / self._cells
+        low = np.maximum(1, np.floor(letters.least / self._cell + 1e-9))
+        high = np.ceil(np.minimum(letters.most, 2 * reach) / self._cell - 1e-9)
+        self._low = np.where(usable, low, self._cells + 2).astype(np.int64)
+        self._high = np.where(usable, np.maximum(low, high), self._cells + 2).astype(np.int64)
+        self._fitting = _cumulative(machine, self._low, letters.weights, self._cells)
+        self._falling_short = _cumulative(machine, self._high, letters.weights, self._cells)
+
+    def at(self, shortest: float, longest: float) -> Completions:
+        """Return the words that can fill a length between these two."""
+        long = min(self._cells, int(np.ceil(longest / self._cell - 1e-9)))
+        return Completions(self, long, int(np.floor(shortest / self._cell + 1e-9)) - 1)
+
+    def mass(self, state: int, long: int, short: int) -> float:
+        """Return the weight of completions that fit `long` cells at their least and pass `short` at most."""
+        fitting = self._fitting[state, long] if long >= 0 else 0.0
+        falling_short = self._falling_short[state, short] if short >= 0 else 0.0
+        return max(0.0, float(fitting - falling_short))
+
+    def sizes(self, letter: int) -> tuple[int, int]:
+        """Return the range of a letter's size, in cells."""
+        return int(self._low[letter]), int(self._high[letter])
+
+
+@dataclass(frozen=True, slots=True)
+class Completions:
+    """The words of a table that fit a range of lengths.
+
+    Attributes
+    ----------
+    long, short
+        Cells that least sizes may add up to, and that greatest sizes must pass.
+    """
+
+    table: CompletionTable
+    long: int
+    short: int
 
     @property
     def total(self) -> float:
         """Weight of all words that fit; 0 proves that there are none."""
-        return self._mass(0, 0, 0) if not self.machine.empty else 0.0
+        return 0.0 if self.table.machine.empty else self.table.mass(0, self.long, self.short)
 
     def draw(self, share: float) -> tuple[str, ...]:
         """Return the word at a share (0 to 1) of the total weight, in the machine's order of words.
 
         An evenly distributed share draws each word by its weight.
         """
-        state = low = high = 0
+        machine = self.table.machine
+        state, long, short = 0, self.long, self.short
         word: list[str] = []
         rest = share * self.total
         while True:
-            for letter, mass in self._ways(state, low, high):
-                if rest < mass or letter is None:
+            for letter, mass in self._ways(state, long, short):
+                if letter is None or rest < mass:
                     break
                 rest -= mass
             if letter is None:
                 return tuple(word)
             # What is left of the share decides the following letters.
-            word.append(self.machine.letters[letter])
-            rest = min(rest, mass * (1 - 1e-12)) / self.weights[state, letter]
-            low, high = low + int(self._low[letter]), high + int(self._high[letter])
-            state = int(self.machine.next[state, letter])
+            word.append(machine.letters[letter])
+            rest = min(rest, mass * (1 - 1e-12)) / self.table.weights[state, letter]
+            low, high = self.table.sizes(letter)
+            state, long, short = int(machine.next[state, letter]), long - low, short - high
 
     def words(self) -> Iterator[tuple[str, ...]]:
         """Yield every word that fits, in the machine's order."""
-        if not self.machine.empty:
-            yield from self._complete(0, 0, 0, ())
-
-    def _complete(self, state: int, low: int, high: int, word: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-        pending = [(state, low, high, word)]
+        machine = self.table.machine
+        pending: list[tuple[int, int, int, tuple[str, ...]]] = []
+        if not machine.empty:
+            pending.append((0, self.long, self.short, ()))
         while pending:
-            state, low, high, word = pending.pop()
-            if self.machine.accepting[state] and self._fits(low, high):
+            state, long, short, word = pending.pop()
+            if machine.accepting[state] and _ends(long, short):
                 yield word
-            for letter in reversed(np.flatnonzero(self.machine.next[state] >= 0)):
-                after = int(self.machine.next[state, letter])
-                low_after, high_after = low + int(self._low[letter]), high + int(self._high[letter])
-                if self._mass(after, low_after, high_after) > 0:
-                    pending.append((after, low_after, high_after, (*word, self.machine.letters[letter])))
+            for letter in map(int, reversed(np.flatnonzero(machine.next[state] >= 0))):
+                after = int(machine.next[state, letter])
+                low, high = self.table.sizes(letter)
+                if self.table.mass(after, long - low, short - high) > 0:
+                    pending.append((after, long - low, short - high, (*word, machine.letters[letter])))
 
-    def _fits(self, low: int, high: int) -> bool:
-        return low <= CELLS and high > self._short
-
-    def _ways(self, state: int, low: int, high: int) -> Iterator[tuple[int | None, float]]:
-        """Yield each way to go on with its weight; None, the end of the word, comes last if it is one."""
-        ways: list[tuple[int | None, float]] = []
-        for letter in np.flatnonzero(self.machine.next[state] >= 0):
-            after = int(self.machine.next[state, letter])
-            mass = self._mass(after, low + int(self._low[letter]), high + int(self._high[letter]))
+    def _ways(self, state: int, long: int, short: int) -> list[tuple[int | None, float]]:
+        """Return each way to go on with its weight; None, the end of the word, comes last if it is one."""
+        table, ways = self.table, list[tuple[int | None, float]]()
+        for letter in map(int, np.flatnonzero(table.machine.next[state] >= 0)):
+            low, high = table.sizes(letter)
+            mass = table.mass(int(table.machine.next[state, letter]), long - low, short - high)
             if mass > 0:
-                ways.append((int(letter), float(mass * self.weights[state, letter])))
-        if self.machine.accepting[state] and self._fits(low, high):
+                ways.append((letter, float(mass * table.weights[state, letter])))
+        if table.machine.accepting[state] and _ends(long, short):
             ways.append((None, 1.0))
         elif ways:
             ways[-1] = (ways[-1][0], np.inf)  # rounding may not lead past the last way
-        yield from ways
+        return ways
 
-    def _mass(self, state: int, low: int, high: int) -> float:
-        fitting = self._fitting[state, CELLS - low] if low <= CELLS else 0.0
-        short = self._falling_short[state, self._short - high] if high <= self._short else 0.0
-        return max(0.0, float(fitting - short))
+
+def _ends(long: int, short: int) -> bool:
+    return long >= 0 > short
 
 
 def _cumulative(machine: Machine, sizes: NDArray[np.int64], weights: Floats, cells: int) -> Floats:
-    """Return, for each state and each length up to `cells`, the weight of completions no longer than that."""
-    states = len(machine.accepting)
-    pad = cells + 1
-    counts = np.zeros((states, pad + cells + 1))
-    if not states:
-        return counts[:, pad:]
-    moves = []
-    for letter in range(len(machine.letters)):
-        origin = np.flatnonzero(machine.next[:, letter] >= 0)
-        if len(origin) and sizes[letter] <= cells:
-            moves.append(
-                (origin, machine.next[origin, letter], int(sizes[letter]), weights[origin, letter][:, None])
-            )
-    block = min((size for _, _, size, _ in moves), default=cells + 1)
+    """Return, for each state and each length in cells, the weight of completions no longer than that.
+
+    Lengths are tabulated in blocks no longer than the smallest letter, which look back at earlier blocks only.
+    """
+    states, width = len(machine.accepting), 2 * cells + 2
+    counts = np.zeros((states, width))  # the left half stays empty: nothing completes a negative length
+    origin, letter = np.nonzero((machine.next >= 0) & (sizes <= cells))
+    counts[:, cells + 1 :] = machine.accepting[:, None]
+    if not len(origin):
+        return counts[:, cells + 1 :]
+    first = np.flatnonzero(np.diff(origin, prepend=-1))  # transitions stand in the order of their origins
+    base = machine.next[origin, letter] * width + cells + 1 - sizes[letter]
+    factors = weights[origin, letter][:, None]
+    flat, block = counts.reshape(-1), int(sizes[letter].min())
     for start in range(0, cells + 1, block):
-        stop = min(start + block, cells + 1)
-        counts[:, pad + start : pad + stop] = machine.accepting[:, None]
-        for origin, after, size, weight in moves:
-            counts[origin, pad + start : pad + stop] += (
-                weight * counts[after, pad + start - size : pad + stop - size]
-            )
-    return counts[:, pad:]
+        along = np.arange(start, min(start + block, cells + 1))
+        completed = flat[base[:, None] + along] * factors
+        counts[origin[first, None], cells + 1 + along] += np.add.reduceat(completed, first, axis=0)
+    return counts[:, cells + 1 :]

@@ -4,54 +4,19 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterator
-from dataclasses import dataclass
-from itertools import accumulate, pairwise
+from itertools import pairwise
 
 from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement
 from layoutkit.constraints.generators import framed, sequences
 from layoutkit.model import Facade, Measure, Region, RegionSet, Word
 from layoutkit_relayout.inference.freedom import Freedom
+from layoutkit_relayout.inference.lockstep import Lockstep, locksteps
 from layoutkit_relayout.inference.sizes import WALLS
 
 #: A bay is rare that occurs this many times less often than the commonest.
 _RARE = 3
 #: Heights at an edge are the same within this share of a floor's height.
 _SAME_HEIGHT = 0.02
-#: Columns of two floors are the same whose lines coincide within this share of the facade's width.
-_IN_LINE = 1e-6
-
-
-@dataclass(frozen=True, slots=True)
-class Lockstep:
-    """Floors of one parent whose columns have the same word, and so share their bays.
-
-    Attributes
-    ----------
-    paths
-        Their symbol paths.
-    word
-        The word.
-    """
-
-    paths: tuple[str, ...]
-    word: tuple[str, ...]
-
-
-def locksteps(facade: Facade) -> list[Lockstep]:
-    """Return the outermost regions of at least three columns, those together whose columns are the same."""
-    found: defaultdict[tuple[str, tuple[str, ...], tuple[int, ...]], list[str]] = defaultdict(list)
-    unit = _IN_LINE * facade.root.width
-    for path, region in facade.regions.items():
-        inside = any(path.startswith(f"{outer}/") for outers in found.values() for outer in outers)
-        if not inside and region.split == "columns" and len(region.children) >= 3 and not _houses(region):
-            cuts = tuple(round(cut / unit) for cut in accumulate(c.width for c in region.children))
-            found[(path.rpartition("/")[0], region.word, cuts)].append(path)
-    return [Lockstep(tuple(paths), word) for (_, word, _), paths in found.items()]
-
-
-def _houses(region: Region) -> bool:
-    """Tell whether the columns are houses side by side, not bays: one of them has floors of its own."""
-    return any(sum("Floor" in row.labels for row in house.children) > 1 for house in region.children)
 
 
 def bays(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
@@ -120,6 +85,8 @@ class _Edges:
         self._children = [{c.symbol: c for c in floor.children} for floor in self._floors]
         pairs = dict.fromkeys(pairwise(self.word))
         self._sorts = {(self._space(a), self._space(b)) for a, b in pairs}
+        bare = [not self._space(a) and not self._space(b) for a, b in pairwise(self.word)]
+        self._wall_to_wall = 2 * sum(bare) >= len(bare)
         self._across: dict[tuple[str, int], set[tuple[int, str, int, int]]] = defaultdict(set)
         for one, other in pairs:
             running = self._touching(one, 1) & self._touching(other, 0)
@@ -130,8 +97,8 @@ class _Edges:
         """Tell whether two that are no neighbours in the input may be: nothing that runs on is cut off."""
         if (self._space(one), self._space(other)) not in self._sorts:
             return False
-        if not self._space(one) and not self._space(other):
-            return False  # two bays without a pier between them only where the input has them so
+        if not self._space(one) and not self._space(other) and not self._wall_to_wall:
+            return False  # bays keep a pier between them where most have one
         running = self._across[(one, 1)], self._across[(other, 0)]
         return running[0] == running[1]
 

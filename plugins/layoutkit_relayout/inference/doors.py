@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from layoutkit.constraints import Frequency
 from layoutkit.model import Facade, Measure, RegionSet
-from layoutkit_relayout.inference.bays import locksteps
+from layoutkit_relayout.inference.lockstep import locksteps
 
 #: Up to so many doors a facade keeps their number; more of them grow with the width.
 _FEW = 2

@@ -26,6 +26,8 @@ class Freedom:
     ----------
     elements
         Sizes of windows, doors, ornaments and the bays they stand in.
+    rooms
+        Widths of bays in which wall stands beside the elements.
     floors
         Heights of floors.
     walls
@@ -40,6 +42,7 @@ class Freedom:
     """
 
     elements: Span
+    rooms: Span
     floors: Span
     walls: Span
     order: Literal["kept", "matching"]
@@ -48,11 +51,31 @@ class Freedom:
 
 
 LEVELS: Mapping[Level, Freedom] = {
-    "strict": Freedom(Span(0.94, 1.07, 0.01), Span(0.9, 1.15, 0.02), Span(0.6, 2.5, 0.06), "kept", True, 1.0),
+    "strict": Freedom(
+        Span(0.94, 1.07, 0.01),
+        Span(0.8, 1.3, 0.03),
+        Span(0.9, 1.15, 0.02),
+        Span(0.6, 2.5, 0.06),
+        "kept",
+        True,
+        1.0,
+    ),
     "medium": Freedom(
-        Span(0.87, 1.17, 0.02), Span(0.8, 1.3, 0.03), Span(0.5, 3.0, 0.12), "matching", True, 1.5
+        Span(0.87, 1.17, 0.02),
+        Span(0.6, 2.0, 0.06),
+        Span(0.8, 1.3, 0.03),
+        Span(0.5, 3.0, 0.12),
+        "matching",
+        True,
+        1.5,
     ),
     "loose": Freedom(
-        Span(0.75, 1.35, 0.06), Span(0.7, 1.6, 0.06), Span(0.35, 4.0, 0.25), "matching", False, 3.0
+        Span(0.75, 1.35, 0.06),
+        Span(0.5, 2.5, 0.12),
+        Span(0.7, 1.6, 0.06),
+        Span(0.35, 4.0, 0.25),
+        "matching",
+        False,
+        3.0,
     ),
 }

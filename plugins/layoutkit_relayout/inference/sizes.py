@@ -7,11 +7,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from layoutkit.constraints import Size
 from layoutkit.constraints.defaults import divided
 from layoutkit.constraints.size import axis_of
-from layoutkit.model import Facade, Measure, RegionSet
+from layoutkit.model import Facade, Measure, Region, RegionSet
 from layoutkit_relayout.inference.freedom import Freedom, Span
+from layoutkit_relayout.inference.lockstep import locksteps
 
 #: Labels of space that may be stretched; of rooms for other things; and of bands, which run along a facade.
 WALLS = frozenset({"Wall", "Pier", "Background", "Sky", "Roof"})
+#: Labels of elements that look wrong when they are stretched.
+HARD = frozenset({"Window", "Door", "Shop", "Blind", "Balcony", "Deco", "Pillar"})
 FLOOR, BAY = "Floor", "Bay"
 ROOMS = frozenset({"Facade", "Building", FLOOR})
 #: A column that takes more than this share of the facade's width grows with it.
@@ -22,12 +25,14 @@ def sizes(facade: Facade, freedom: Freedom) -> Iterator[Size]:
     """Yield size constraints for space and for elements, by their labels, then for what has no label."""
     wide = [path for path in facade.regions if "/" in path and _wide(facade, path)]
     soft = _without(_labelled(WALLS & facade.labels), [f"@{BAY}"] if BAY in facade.labels else [])
-    firm = _without(_labelled(facade.labels - WALLS - ROOMS), wide)
+    roomy = [path for path in _roomy(facade) if path not in wide]
+    firm = _without(_labelled(facade.labels - WALLS - ROOMS), [*wide, *roomy])
     floors = _labelled({FLOOR} & facade.labels)
     yield from _size(soft, freedom.walls, "walls and piers take up what is left over")
     yield from _size(firm, freedom.elements, "windows, doors and ornaments keep about their size")
+    yield from _size(_union(roomy), freedom.rooms, "bays with wall beside their elements may be wider")
     yield from _size(floors, freedom.floors, "floors keep about their height")
-    given = [regions for regions in (soft, firm, floors) if regions is not None]
+    given = [regions for regions in (soft, firm, floors, _union(roomy)) if regions is not None]
     sized = {path for regions in given for path in facade.select(regions)}
     rest = [path for path in facade.regions if "/" in path and path not in sized and _undivided(facade, path)]
     broad = [path for path in rest if path in wide]
@@ -41,6 +46,23 @@ def _wide(facade: Facade, path: str) -> bool:
     region = facade.regions[path]
     wide = axis_of(facade, path) == 0 and region.width > _WIDE * facade.root.width
     return wide and _undivided(facade, path) and not WALLS & set(region.labels)
+
+
+def _roomy(facade: Facade) -> Iterator[str]:
+    """Yield the bays that no window or other hard element fills from side to side in any of their floors."""
+    for lockstep in locksteps(facade):
+        for symbol in dict.fromkeys(lockstep.word):
+            stacked = [f"{path}/{symbol}" for path in lockstep.paths]
+            bays = [facade.regions[path] for path in stacked]
+            if any(BAY in bay.labels for bay in bays) and not any(map(_filled, bays)):
+                yield from (path for path, bay in zip(stacked, bays, strict=True) if BAY in bay.labels)
+
+
+def _filled(region: Region) -> bool:
+    """Tell whether a hard element reaches from the left to the right of a region."""
+    if region.split is None:
+        return bool(HARD & set(region.labels))
+    return region.split == "rows" and any(map(_filled, region.children))
 
 
 def _undivided(facade: Facade, path: str) -> bool:

@@ -9,8 +9,8 @@ from itertools import pairwise
 from layoutkit.constraints import Sequence
 from layoutkit.constraints.generators import sequences
 from layoutkit.model import Facade, Region, RegionSet, Word
-from layoutkit_relayout.inference.bays import locksteps
 from layoutkit_relayout.inference.freedom import Freedom
+from layoutkit_relayout.inference.lockstep import locksteps
 
 #: Labels of what belongs on the ground: a floor that has it stays where it is.
 GROUNDED = frozenset({"Door", "Shop"})
