@@ -92,7 +92,7 @@ class SameSize(Constraint):
         paths = facade.select(extent.regions) if extent.regions is not None else (extent.within,)
         for path in paths:
             slots = arrangement.slots(path, self.axis)
-            if not slots or (scope is not None and not any(slot.inside(scope) for slot in slots)):
+            if not slots or not any(_inside(slot, scope, extent) for slot in slots):
                 continue
             if extent.word is None:
                 yield arrangement.extent(path, self.axis)
@@ -124,3 +124,8 @@ class SameSize(Constraint):
             sizes = [(c.width, c.height)[self.axis] for c in placed.region.children]
             for start, end in occurrences(extent.word, source, placed.region.word):
                 yield f"{placed.path}/", sum(sizes[start:end])
+
+
+def _inside(slot: Slot, scope: Slot | None, extent: Extent) -> bool:
+    """Tell whether the slot of an extent lies in the scope; a run may stand in the scope itself."""
+    return scope is None or slot.inside(scope) or (extent.word is not None and slot is scope)

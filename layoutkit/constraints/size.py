@@ -64,18 +64,33 @@ class Size(Constraint):
 
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
         """Yield a range and a target for each symbol: its occurrences are replicas."""
-        facade = arrangement.facade
-        for path in facade.select(self.of):
-            if path not in arrangement.frames:
-                continue
-            axis, size = axis_of(facade, path), input_size(facade, path)
-            least, most = self.bounds(facade, path)
-            form = arrangement.extent(path, axis)
-            yield Range(axis, form, least, most, self)
-            parent, _, symbol = path.rpartition("/")
-            replicas = arrangement.words[parent].count(symbol) if parent else 1
-            centre, deviation = self.centre.of(size), self.deviation.of(size)
-            yield Target(axis, form, centre, deviation, least, most, float(replicas))
+        for path, axis, (least, most), (centre, deviation) in self._measures(arrangement.facade):
+            if path in arrangement.frames:
+                form = arrangement.extent(path, axis)
+                parent, _, symbol = path.rpartition("/")
+                replicas = arrangement.words[parent].count(symbol) if parent else 1
+                yield Range(axis, form, least, most, self)
+                yield Target(axis, form, centre, deviation, least, most, float(replicas))
+
+    def _measures(
+        self, facade: Facade
+    ) -> tuple[tuple[str, int, tuple[float, float], tuple[float, float]], ...]:
+        """Return path, axis, bounds, centre and deviation of each region."""
+        key = (id(self), "measures")
+        if key not in facade.memory:
+            sizes = {path: input_size(facade, path) for path in facade.select(self.of)}
+            measures = tuple(
+                (
+                    path,
+                    axis_of(facade, path),
+                    self.bounds(facade, path),
+                    (self.centre.of(size), self.deviation.of(size)),
+                )
+                for path, size in sizes.items()
+            )
+            facade.memory[key] = self, measures
+        found: tuple[tuple[str, int, tuple[float, float], tuple[float, float]], ...] = facade.memory[key][1]
+        return found
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every placed region out of its range."""

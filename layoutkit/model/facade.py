@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from layoutkit.model.region import PlacedRegion, Region, place
 from layoutkit.model.selection import RegionSet
@@ -122,6 +122,11 @@ class Facade:
     @cached_property
     def _order(self) -> dict[str, int]:
         return {path: number for number, path in enumerate(self.regions)}
+
+    @cached_property
+    def memory(self) -> dict[object, Any]:
+        """What constraints have worked out about the facade, kept from one variation to the next."""
+        return {}
 
     @cached_property
     def _selected(self) -> dict[tuple[int, str | None], tuple[RegionSet, tuple[str, ...]]]:

@@ -40,8 +40,8 @@ class Slot:
     end: Form
 
     def inside(self, ancestor: Slot) -> bool:
-        """Tell whether the slot lies in `ancestor`, or is it."""
-        slot: Slot | None = self
+        """Tell whether the slot lies in `ancestor`; it does not lie in itself."""
+        slot = self.parent
         while slot is not None and slot is not ancestor:
             slot = slot.parent
         return slot is ancestor

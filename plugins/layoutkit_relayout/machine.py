@@ -159,6 +159,14 @@ def build(letters: Sequence[str], automata: Sequence[tuple[Automaton, Mapping[st
     return trim(tuple(letters), np.array(rows, dtype=np.int64), np.array(accepting, dtype=bool))
 
 
+def chain(letters: Sequence[str], word: Sequence[str]) -> Machine:
+    """Return the machine that accepts one word only."""
+    following = np.full((len(word) + 1, len(letters)), -1, dtype=np.int64)
+    for position, letter in enumerate(word):
+        following[position, letters.index(letter)] = position + 1
+    return Machine(tuple(letters), following, np.arange(len(word) + 1) == len(word))
+
+
 def _step(
     automata: Sequence[tuple[Automaton, Mapping[str, str]]], states: tuple[State, ...], letter: str
 ) -> tuple[State, ...] | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import Counter, defaultdict
+from collections import Counter, defaultdict, deque
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
@@ -17,7 +17,7 @@ from layoutkit.constraints.size import axis_of, input_size
 from layoutkit.constraints.word_rules import Admits, Agree, Automaton, Counts, WordRule
 from layoutkit.model import Facade
 from layoutkit.sizing.arrangement import AXIS
-from layoutkit_relayout.machine import Exactly, Machine, build
+from layoutkit_relayout.machine import Exactly, Machine, build, chain
 
 Interval = tuple[float, float]
 Floats = NDArray[np.float64]
@@ -88,10 +88,60 @@ class Model:
         self.group_of = {path: group for group in self.groups for path in group.members}
         self._bounds, self._shapes = _own_sizes(facade, self.constraints)
         self._hulls: dict[tuple[str, int, float], Interval] = {}
+        self._closed_words: dict[str, dict[str, tuple[str, ...]]] = {}
 
     def axis(self, path: str) -> int:
         """Return the axis that a composite region splits."""
         return AXIS[self.facade.regions[path].split or "columns"]
+
+    @cached_property
+    def open_paths(self) -> frozenset[str]:
+        """The composite regions with a choice of words, and all that such a one stands in."""
+        found: set[str] = set()
+        for path, group in self.group_of.items():
+            if group.forced is None:
+                steps = path.split("/")
+                found |= {"/".join(steps[: n + 1]) for n in range(len(steps))}
+        return frozenset(found)
+
+    def reached(self, words: Mapping[str, tuple[str, ...]]) -> Iterator[str]:
+        """Yield every open region that the words reach, parents first."""
+        pending = deque([self.facade.root.symbol])
+        while pending:
+            path = pending.popleft()
+            if path in self.open_paths:
+                yield path
+                pending += {f"{path}/{symbol}": None for symbol in words.get(path, ())}
+
+    def with_forced(self, words: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
+        """Add the words of reached open regions that have only one."""
+        found = dict(words)
+        for path in self.reached(found):  # what is added here is reached in turn
+            group = self.group_of[path]
+            if path not in found and group.forced is not None:
+                found[path] = group.word_of(path, group.forced)
+        return found
+
+    def completed(self, words: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
+        """Add the words of all closed regions that the words reach."""
+        found = dict(words)
+        for path in [self.facade.root.symbol, *words]:
+            for child in {f"{path}/{symbol}": None for symbol in words.get(path, ())} or [path]:
+                if child not in self.open_paths:
+                    found |= self._closed(child)
+        return found
+
+    def _closed(self, path: str) -> dict[str, tuple[str, ...]]:
+        """Return the words in a region without a choice, its own first."""
+        if path not in self._closed_words:
+            group = self.group_of.get(path)
+            own: dict[str, tuple[str, ...]] = {}
+            if group is not None and group.forced is not None:
+                own[path] = group.word_of(path, group.forced)
+                for symbol in dict.fromkeys(own[path]):
+                    own |= self._closed(f"{path}/{symbol}")
+            self._closed_words[path] = own
+        return self._closed_words[path]
 
     def neighbours(self, group: WordGroup) -> frozenset[WordGroup]:
         """Return the groups whose words a constraint ties to the group's, through sizes or places."""
@@ -254,6 +304,10 @@ def _group(
     symbols = {member: letters[member] for member in members}
     shared = tuple(letter for letter in symbols[members[0]] if all(letter in symbols[m] for m in members))
     automata = tuple((automaton, symbols[m]) for m in members for automaton in admitted[m])
+    first, _ = automata[0]
+    if len(automata) == 1 and isinstance(first, Exactly):  # most regions: no need to look for the word
+        own = {symbol: letter for letter, symbol in symbols[members[0]].items()}
+        return WordGroup(members, symbols, automata, chain(shared, [own[s] for s in first.word]))
     return WordGroup(members, symbols, automata, build(shared, automata))
 
 
