@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
@@ -22,6 +23,8 @@ from layoutkit_relayout.outlook import Outlook
 #: Successive multiples of it spread evenly over 0 to 1, whatever their number.
 _GOLDEN = 0.6180339887498949
 
+#: Words tried for one group before the search doubts an earlier choice: few at first, all at last.
+PATIENCE = (5, 40, math.inf)
 #: Stands for the number of a choice when none is known to be at fault.
 _NOBODY = 10**9
 
@@ -45,13 +48,15 @@ class Found:
 
 @dataclass
 class _Progress:
-    """How much of the budget is left, and whether anything stayed undecided on the way."""
+    """How far a search has come: its budget, its choices, and what it did not look into."""
 
     nodes: int
     undecided: bool = False
     used: int = 0
     shares: dict[WordGroup, float] = field(default_factory=dict)
     choices: list[Words] = field(default_factory=list)
+    patience: float = math.inf
+    cut_short: bool = False
     culprit: int = _NOBODY
 
 
@@ -75,15 +80,18 @@ class Search:
         progress = _Progress(node_limit)
         for group in self.model.groups:
             progress.shares[group] = float((offsets.random() + index * _GOLDEN) % 1.0)
-        for words in self._complete({}, generator, progress):
-            root = self._sized(words, generator, progress)
-            if root is not None:
-                return Found("found", root, progress.used)
-            if progress.used >= progress.nodes:
+        for patience in PATIENCE:
+            progress.patience, progress.cut_short = patience, False
+            for words in self._complete({}, generator, progress):
+                root = self._sized(words, generator, progress)
+                if root is not None:
+                    return Found("found", root, progress.used)
+                if progress.used >= progress.nodes:
+                    return Found("limit", None, progress.used)
+            if not progress.cut_short:
                 break
-        if progress.undecided or progress.used >= progress.nodes:
-            return Found("limit", None, progress.used)
-        return Found("infeasible", None, progress.used)
+        undecided = progress.undecided or progress.used >= progress.nodes
+        return Found("limit" if undecided else "infeasible", None, progress.used)
 
     def arrangements(self, node_limit: int) -> Iterator[Words]:
         """Yield the words of every layout that exists, by symbol path, each assignment once."""
@@ -104,8 +112,11 @@ class Search:
         if question is None:
             return
         share = progress.shares.get(group, 0.5)
-        for word in self.candidates.words(group, question, share, generator):
+        for tried, word in enumerate(self.candidates.words(group, question, share, generator)):
             if progress.used >= progress.nodes:
+                return
+            if tried >= progress.patience:
+                progress.cut_short = True
                 return
             progress.used += 1
             chosen = {**outlook.words, **{m: group.word_of(m, word) for m, _ in question.members}}

@@ -164,7 +164,7 @@ def _ends(long: int, short: int) -> bool:
 def _cumulative(machine: Machine, sizes: NDArray[np.int64], weights: Floats, cells: int) -> Floats:
     """Return, for each state and each length in cells, the weight of completions no longer than that.
 
-    Lengths are tabulated in blocks no longer than the smallest letter, which look back at earlier blocks only.
+    Lengths are tabulated in blocks no longer than the smallest letter, so that they look back only.
     """
     states, width = len(machine.accepting), 2 * cells + 2
     counts = np.zeros((states, width))  # the left half stays empty: nothing completes a negative length

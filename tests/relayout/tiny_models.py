@@ -15,9 +15,9 @@ Random = np.random.Generator
 
 
 def tiny(seed: int) -> tuple[Facade, tuple[float, float]]:
-    """Return a facade of one to three composite regions, and a size to lay it out at."""
+    """Return a facade of one to four composite regions, and a size to lay it out at."""
     random = np.random.default_rng(seed)
-    root = (_row, _floors, _bays)[random.integers(3)](random)
+    root = (_row, _floors, _bays, _stacked)[random.choice(4, p=(0.3, 0.3, 0.3, 0.1))](random)
     bare = Facade(f"tiny-{seed}", "m", root)
     constraints: list[Constraint] = list(_sizes(bare, random))
     for path, region in bare.regions.items():
@@ -83,6 +83,16 @@ def _bays(random: Random) -> Region:
     return Region("R", sum(made[s].width for s in word), 5.0, "columns", tuple(made[s] for s in word))
 
 
+def _stacked(random: Random) -> Region:
+    """A floor, and a block that holds another one of the same bays."""
+    word = _word(random, "ab", 2, 2)
+    heights = [random.uniform(2.0, 3.0) for _ in range(3)]
+    floor = _split(random, "F", word, "columns", 6.0, heights[0])
+    other = _split(random, "G", word, "columns", 6.0, heights[1])
+    block = Region("B", 6.0, heights[1] + heights[2], "rows", (other, Region("h", 6.0, heights[2])))
+    return Region("R", 6.0, floor.height + block.height, "rows", (floor, block))
+
+
 def _sizes(facade: Facade, random: Random) -> list[Constraint]:
     found: list[Constraint] = []
     for path, region in facade.regions.items():
@@ -133,9 +143,9 @@ def _inner(facade: Facade) -> list[str]:
 def _alignment(facade: Facade, random: Random) -> list[Constraint]:
     paths = [p for p in _inner(facade) if p.count("/") == 2] or _inner(facade)
     first, second = (RegionSet.union(_some(random, paths, 1, 2)) for _ in range(2))
-    if len({p.rpartition("/")[0] for p in paths}) == 2:  # two floors: one set from each
-        floors = [[p for p in paths if p.startswith(f)] for f in ("R/F", "R/G")]
-        first, second = (RegionSet.union(_some(random, own, 1, 2)) for own in floors)
+    if floors := [p for p in _composites(facade) if p[-1] in "FG"]:  # one set from each
+        inside = [[p for p in facade.regions if p.startswith(f"{floor}/")] for floor in floors]
+        first, second = (RegionSet.union(_some(random, own, 1, 2)) for own in inside)
     lines = ("left", "center", "right") if random.random() < 0.8 else ("top", "middle", "bottom")
     within = "R/B" if "R/B" in facade.regions and random.random() < 0.3 else None
     chosen = tuple(_some(random, lines, 1, 2))
@@ -158,7 +168,7 @@ def _same_size(facade: Facade, random: Random) -> list[Constraint]:
 
 
 def _same_words(facade: Facade, random: Random) -> list[Constraint]:
-    pair = ("R/F", "R/G")
+    pair = ("R/F", "R/B/G" if "R/B/G" in facade.regions else "R/G")
     if not set(pair) <= facade.regions.keys():
         return []
     symbols = [set(facade.regions[path].word) for path in pair]
