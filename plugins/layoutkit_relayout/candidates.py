@@ -70,6 +70,10 @@ class Candidates:
             if word not in seen and self._fits(group, question, word):
                 yield word
 
+    def any(self, group: WordGroup, question: Question) -> bool:
+        """Tell whether the tables know a word that fits; if not, there is none."""
+        return self.fitting(group, question, question.members[:1], np.inf).total > 0
+
     def _levels(self, group: WordGroup, question: Question) -> Iterator[Completions]:
         """Yield choices of words, the most comfortable first; the last one leaves none out."""
         for comfort in COMFORT:

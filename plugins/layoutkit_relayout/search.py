@@ -103,13 +103,15 @@ class Search:
     def _complete(self, words: Words, generator: np.random.Generator, progress: _Progress) -> Iterator[Words]:
         """Yield every way to give all reached groups a word, depth first."""
         outlook = Outlook(self.model, self.size, words)
+        if not outlook.counted():
+            return
         group = outlook.next_group()
         if group is None:
-            if outlook.counted():
-                yield self.model.completed(outlook.words)
+            yield self.model.completed(outlook.words)
             return
         question = outlook.question(group)
-        if question is None:
+        if question is None or not self.candidates.any(group, question):
+            progress.culprit = self._dead_end(group, progress.choices)
             return
         share = progress.shares.get(group, 0.5)
         for tried, word in enumerate(self.candidates.words(group, question, share, generator)):
@@ -129,6 +131,16 @@ class Search:
             if depth > progress.culprit:
                 return  # a choice before this one is at fault, whatever is chosen here
             progress.culprit = _NOBODY
+
+    def _dead_end(self, group: WordGroup, choices: Sequence[Words]) -> int:
+        """Return the number of the first choice after which no word of a group fits; 0 if none ever does."""
+        for number, words in enumerate([{}, *choices[:-1]]):
+            outlook = Outlook(self.model, self.size, words)
+            if any(member in outlook.lengths for member in group.members):
+                question = outlook.question(group)
+                if question is None or not self.candidates.any(group, question):
+                    return number
+        return len(choices)
 
     def _goes_on(self, group: WordGroup, words: Words) -> bool:
         """Size the axis of a group that is tied to others chosen before it, all else still open."""
