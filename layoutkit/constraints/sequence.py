@@ -54,11 +54,12 @@ class Sequence(Constraint):
 
     @classmethod
     def word_rules(cls, constraints: ListOf[Self], facade: Facade) -> Iterator[WordRule]:
-        """Yield one automaton for each region that has sequences."""
+        """Yield one automaton for each region that has sequences; regions with the same ones share it."""
+        automata: dict[tuple[Piece, ...], Covering] = {}
         for path in dict.fromkeys(path for c in constraints for path in c.within):
             own = tuple(c for c in constraints if path in c.within)
             pieces = tuple(c.piece(facade.regions[path]) for c in own)
-            yield Admits(path, Covering(pieces), own)
+            yield Admits(path, automata.setdefault(pieces, Covering(pieces)), own)
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every arrangement that no chain of the region's sequences covers; the first one reports."""

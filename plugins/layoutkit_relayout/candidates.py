@@ -35,11 +35,19 @@ class Question:
     counts
         For each frequency rule that the group can still decide: least and greatest number of counted regions
         in one region of each letter, then the range for their sum.
+    given
+        The word, where a member that was reached earlier has it already.
     """
 
     members: tuple[tuple[str, Interval], ...]
     excluded: frozenset[str]
     counts: tuple[tuple[tuple[Interval, ...], float, float], ...]
+    given: Word | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The members' paths."""
+        return tuple(member for member, _ in self.members)
 
 
 class Candidates:
@@ -48,7 +56,7 @@ class Candidates:
     def __init__(self, model: Model, size: tuple[float, float]) -> None:
         self.model, self.size = model, size
         self._tables: dict[object, CompletionTable] = {}
-        self._machines: dict[tuple[WordGroup, object], Machine] = {}
+        self._machines: dict[object, Machine] = {}
 
     def words(
         self, group: WordGroup, question: Question, share: float, generator: np.random.Generator
@@ -57,6 +65,11 @@ class Candidates:
 
         When the iterator ends, every word that could fit was yielded.
         """
+        if (given := question.given) is not None:
+            open_ = not question.excluded.intersection(given) and self._fits(group, question, given)
+            if open_ and self._machine(group, question).accepts(given):
+                yield given
+            return
         seen: set[Word] = set()
         for fitting in self._levels(group, question):
             if fitting.total <= 0:
@@ -99,7 +112,7 @@ class Candidates:
             NOTHING if letter in question.excluded else self._range(group, letter, names, comfort)
             for letter in group.letters
         )
-        key = (group, question.counts, ranges, self._reach(names))
+        key = (group, question.names, question.counts, ranges, self._reach(names))
         if key not in self._tables:
             machine = self._machine(group, question)
             least, most = np.array(ranges).reshape(-1, 2).T
@@ -118,15 +131,15 @@ class Candidates:
 
     def _machine(self, group: WordGroup, question: Question) -> Machine:
         if not question.counts:
-            return group.machine
-        key = (group, question.counts)
+            return group.machine(question.names)
+        key = (group, question.names, question.counts)
         if key not in self._machines:
             same = {letter: letter for letter in group.letters}
             counting = [
                 (Counting(dict(zip(group.letters, inside, strict=True)), least, most), same)
                 for inside, least, most in question.counts
             ]
-            self._machines[key] = build(group.letters, [*group.automata, *counting])
+            self._machines[key] = build(group.letters, [*group.automata(question.names), *counting])
         return self._machines[key]
 
     def _fits(self, group: WordGroup, question: Question, word: Word) -> bool:

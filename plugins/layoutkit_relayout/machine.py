@@ -94,6 +94,15 @@ class Machine:
         """Whether it accepts no word at all."""
         return len(self.accepting) == 0
 
+    def accepts(self, word: Sequence[str]) -> bool:
+        """Tell whether the word is one of its own."""
+        state = -1 if self.empty else 0
+        for letter in word:
+            if state < 0 or letter not in self.letters:
+                return False
+            state = int(self.next[state, self.letters.index(letter)])
+        return state >= 0 and bool(self.accepting[state])
+
     def needs(self, letter: str) -> bool:
         """Tell whether every word has the letter."""
         column = self.letters.index(letter)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter, defaultdict, deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
 
@@ -34,31 +34,59 @@ class WordGroup:
         Their symbol paths.
     symbols
         For each member, its own symbol by letter.
-    automata
-        Each rule on the word, with the symbols by which it knows the letters.
-    machine
-        The words that the automata accept, counts aside.
+    letters
+        The shared alphabet.
+    rules
+        For each member, the rules on its word: they count where the layout reaches that member.
     """
 
     members: tuple[str, ...]
     symbols: Mapping[str, Mapping[str, str]]
-    automata: tuple[tuple[Automaton, Mapping[str, str]], ...]
-    machine: Machine
+    letters: tuple[str, ...]
+    rules: Mapping[str, Sequence[Automaton]]
 
-    @property
-    def letters(self) -> tuple[str, ...]:
-        """The shared alphabet."""
-        return self.machine.letters
+    @cached_property
+    def _machines(self) -> dict[tuple[object, ...], Machine]:
+        return {}
+
+    def automata(self, members: Iterable[str]) -> list[tuple[Automaton, Mapping[str, str]]]:
+        """Return the rules on some members' word, each once, with the symbols by which it knows letters."""
+        found = {}
+        for member in members:
+            symbols = self.symbols[member]
+            for automaton in self.rules[member]:
+                found[id(automaton), tuple(symbols.items())] = automaton, symbols
+        return list(found.values())
+
+    def machine(self, members: Sequence[str]) -> Machine:
+        """Return the words that the rules of some members accept, counts aside."""
+        automata = self.automata(members)
+        key = tuple((id(automaton), tuple(symbols.items())) for automaton, symbols in automata)
+        if key not in self._machines:
+            first, symbols = automata[0]
+            if len(automata) == 1 and isinstance(
+                first, Exactly
+            ):  # most regions: no need to look for the word
+                own = {symbol: letter for letter, symbol in symbols.items()}
+                self._machines[key] = chain(self.letters, [own[s] for s in first.word])
+            else:
+                self._machines[key] = build(self.letters, automata)
+        return self._machines[key]
 
     @cached_property
     def forced(self) -> tuple[str, ...] | None:
-        """The word, if there is only one."""
-        return self.machine.only_word()
+        """The word, if there is only one, whichever members a layout reaches."""
+        words = {self.machine((member,)).only_word() for member in self.members}
+        return words.pop() if len(words) == 1 else None
 
-    @cached_property
-    def always(self) -> tuple[str, ...]:
-        """The letters that every word has."""
-        return tuple(letter for letter in self.letters if self.machine.needs(letter))
+    def always(self, member: str) -> tuple[str, ...]:
+        """Return the letters that every word of a member has."""
+        return tuple(letter for letter in self.letters if self.machine((member,)).needs(letter))
+
+    def letters_of(self, member: str, word: Sequence[str]) -> tuple[str, ...]:
+        """Return a member's word in the group's letters."""
+        own = {symbol: letter for letter, symbol in self.symbols[member].items()}
+        return tuple(own[symbol] for symbol in word)
 
     def word_of(self, member: str, word: Sequence[str]) -> tuple[str, ...]:
         """Return the group's word in the symbols of one member."""
@@ -197,8 +225,9 @@ class Model:
         ]
         lows, highs = [low for low, _ in inner], [high for _, high in inner]
         if AXIS[region.split] == axis:
-            return shortest(group.machine, lows), longest(group.machine, highs)
-        always = [inner[group.letters.index(letter)] for letter in group.always]
+            machine = group.machine((path,))
+            return shortest(machine, lows), longest(machine, highs)
+        always = [inner[group.letters.index(letter)] for letter in group.always(path)]
         return reduce(meet, always, (min(lows), max(highs)))
 
     def content(self, path: str, counted: frozenset[str]) -> Interval:
@@ -212,7 +241,7 @@ class Model:
         if group.forced is not None:
             word = [inner[group.letters.index(letter)] for letter in group.forced]
             return own + sum(low for low, _ in word), own + sum(high for _, high in word)
-        machine = group.machine
+        machine = group.machine((path,))
         least = shortest(machine, [low for low, _ in inner])
         return own + least, own + longest(machine, [high for _, high in inner])
 
@@ -303,12 +332,7 @@ def _group(
 ) -> WordGroup:
     symbols = {member: letters[member] for member in members}
     shared = tuple(letter for letter in symbols[members[0]] if all(letter in symbols[m] for m in members))
-    automata = tuple((automaton, symbols[m]) for m in members for automaton in admitted[m])
-    first, _ = automata[0]
-    if len(automata) == 1 and isinstance(first, Exactly):  # most regions: no need to look for the word
-        own = {symbol: letter for letter, symbol in symbols[members[0]].items()}
-        return WordGroup(members, symbols, automata, chain(shared, [own[s] for s in first.word]))
-    return WordGroup(members, symbols, automata, build(shared, automata))
+    return WordGroup(members, symbols, shared, {member: admitted[member] for member in members})
 
 
 def shortest(machine: Machine, sizes: Sequence[float]) -> float:

@@ -39,11 +39,14 @@ class Outlook:
         """Return what is left open for a group; None if nothing can fit."""
         members = []
         excluded = set()
+        given = None
         for member in (m for m in group.members if m in self.lengths):
             if not all(map(possible, self.lengths[member])):
                 return None
             axis = self.model.axis(member)
             members.append((member, self.lengths[member][axis]))
+            if given is None and member in self.words:
+                given = group.letters_of(member, self.words[member])
             across = self.lengths[member][1 - axis]
             for letter, symbol in group.symbols[member].items():
                 if not possible(meet(across, self.model.hull(f"{member}/{symbol}", 1 - axis))):
@@ -55,12 +58,13 @@ class Outlook:
                 low, high = self._inside(rule.path, rule.counted, group)
                 least, most = self._ends(rule)
                 counts.append((inside, least - high, most - low))
-        return Question(tuple(members), frozenset(excluded), tuple(counts))
+        return Question(tuple(members), frozenset(excluded), tuple(counts), given)
 
     def counted(self) -> bool:
         """Tell whether the frequencies hold, once all words are chosen, at the sizes the regions can have."""
+        reached = self.model.completed(self.words) if self.model.counts else self.words
         for rule in self.model.counts:
-            if rule.path in self.lengths or rule.path not in self.model.open_paths:
+            if rule.path in reached:
                 low, high = self._inside(rule.path, rule.counted, None)
                 least, most = self._ends(rule)
                 if high < least - 1e-6 or low > most + 1e-6:
@@ -105,7 +109,7 @@ class Outlook:
     def _contribution(self, group: WordGroup, letter: str, rule: Counts) -> Interval:
         """Return how many counted regions a letter of the group brings, in all members together."""
         low = high = 0.0
-        for member in group.members:
+        for member in (m for m in group.members if m in self.lengths):
             if times := self._times(member, rule.path):
                 inside = self.model.content(f"{member}/{group.symbols[member][letter]}", rule.counted)
                 low, high = low + times * inside[0], high + times * inside[1]

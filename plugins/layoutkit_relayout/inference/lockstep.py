@@ -8,6 +8,9 @@ from itertools import accumulate
 
 from layoutkit.model import Facade, Region
 
+#: The label of a bay.
+BAY = "Bay"
+
 #: Columns of two floors are the same whose lines coincide within this share of the facade's width.
 _IN_LINE = 1e-6
 
@@ -34,10 +37,17 @@ def locksteps(facade: Facade) -> list[Lockstep]:
     unit = _IN_LINE * facade.root.width
     for path, region in facade.regions.items():
         inside = any(path.startswith(f"{outer}/") for outers in found.values() for outer in outers)
-        if not inside and region.split == "columns" and len(region.children) >= 3 and not _houses(region):
+        if not inside and _has_bays(region, facade.labels):
             cuts = tuple(round(cut / unit) for cut in accumulate(c.width for c in region.children))
             found[(path.rpartition("/")[0], region.word, cuts)].append(path)
     return [Lockstep(tuple(paths), word) for (_, word, _), paths in found.items()]
+
+
+def _has_bays(region: Region, labels: frozenset[str]) -> bool:
+    """Tell whether the columns of a region are bays and piers, by their labels if the facade has such."""
+    if region.split != "columns" or len(region.children) < 3 or _houses(region):
+        return False
+    return BAY not in labels or any(BAY in column.labels for column in region.children)
 
 
 def _houses(region: Region) -> bool:
