@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
+#: Equalities contradict each other that no point keeps to this share of the problem's size.
+CONTRADICTION = 1e-7
+
 
 @dataclass(frozen=True, eq=False)
 class QP:
@@ -44,6 +47,13 @@ class QP:
         return float(
             max(0.0, np.max(self.least - values, initial=0.0), np.max(values - self.most, initial=0.0))
         )
+
+    def consistent(self) -> bool:
+        """Tell whether the equality rows can hold together, all others aside."""
+        equal = self.least == self.most
+        rows, ends = self.rows[equal].toarray(), self.least[equal]
+        nearest = np.linalg.lstsq(rows, ends, rcond=None)[0]
+        return bool(np.max(np.abs(rows @ nearest - ends), initial=0.0) < CONTRADICTION)
 
 
 @dataclass(frozen=True, eq=False)

@@ -141,12 +141,14 @@ def _solve(axis: Axis, extra: tuple[Range, ...], backends: Sequence[Backend], bu
 def _branch(
     axis: Axis, extra: tuple[Range, ...], pair: _Pair, backends: Sequence[Backend], budget: Budget
 ) -> Sized:
-    found = Sized(None)
+    failed = []
     for rows in (_in_line(pair.rule, pair.first, pair.second), *_apart(pair)):
         found = _solve(axis, (*extra, *rows), backends, budget)
-        if found.positions is not None or found.exhausted:
+        if found.positions is not None:
             return found
-    return found
+        failed.append(found)
+    # One branch that nobody can decide does not decide the others, but leaves nothing proved.
+    return Sized(None, failed[-1].conflict, exhausted=any(found.exhausted for found in failed))
 
 
 def minimum(problem: QP, backends: Sequence[Backend]) -> Solution:
@@ -171,7 +173,8 @@ def minimum(problem: QP, backends: Sequence[Backend]) -> Solution:
             x = polish(problem, solution.x)
             if problem.residual(x) <= RESIDUAL:
                 return Solution("solved", x)
-    return Solution("unknown")
+    # Solvers stumble over equalities that contradict each other: linear algebra does not.
+    return Solution("unknown" if problem.consistent() else "infeasible")
 
 
 def out_of_line(axis: Axis, positions: Floats) -> Iterator[_Pair]:

@@ -85,7 +85,8 @@ class Candidates:
 
     def any(self, group: WordGroup, question: Question) -> bool:
         """Tell whether the tables know a word that fits; if not, there is none."""
-        return self.fitting(group, question, question.members[:1], np.inf).total > 0
+        likely = any(fitting.total > 0 for fitting in self._levels(group, question))
+        return likely or not self.fitting(group, question, question.members[:1], np.inf).empty
 
     def _levels(self, group: WordGroup, question: Question) -> Iterator[Completions]:
         """Yield choices of words, the most comfortable first; the last one leaves none out."""

@@ -23,8 +23,9 @@ from layoutkit_relayout.outlook import Outlook
 #: Successive multiples of it spread evenly over 0 to 1, whatever their number.
 _GOLDEN = 0.6180339887498949
 
-#: Words tried for one group before the search doubts an earlier choice: few at first, all at last.
-PATIENCE = (5, 40, math.inf)
+#: Words tried for one group before the search doubts an earlier choice, and QPs solved for one choice of words
+#: before it tries another: few at first, all words at last.
+PATIENCE = ((5, 12), (40, 60), (math.inf, 400))
 #: Stands for the number of a choice when none is known to be at fault.
 _NOBODY = 10**9
 
@@ -56,6 +57,7 @@ class _Progress:
     shares: dict[WordGroup, float] = field(default_factory=dict)
     choices: list[Words] = field(default_factory=list)
     patience: float = math.inf
+    problems: int = 400
     cut_short: bool = False
     culprit: int = _NOBODY
 
@@ -80,15 +82,15 @@ class Search:
         progress = _Progress(node_limit)
         for group in self.model.groups:
             progress.shares[group] = float((offsets.random() + index * _GOLDEN) % 1.0)
-        for patience in PATIENCE:
-            progress.patience, progress.cut_short = patience, False
+        for progress.patience, progress.problems in PATIENCE:
+            progress.cut_short = progress.undecided = False
             for words in self._complete({}, generator, progress):
                 root = self._sized(words, generator, progress)
                 if root is not None:
                     return Found("found", root, progress.used)
                 if progress.used >= progress.nodes:
                     return Found("limit", None, progress.used)
-            if not progress.cut_short:
+            if not progress.cut_short and not progress.undecided:
                 break
         undecided = progress.undecided or progress.used >= progress.nodes
         return Found("limit" if undecided else "infeasible", None, progress.used)
@@ -187,7 +189,7 @@ class Search:
         rules = self.rules(arrangement)
         positions = []
         for axis in (0, 1):
-            sized = self._size(arrangement, axis, rules, generator, Budget(200))
+            sized = self._size(arrangement, axis, rules, generator, Budget(progress.problems))
             if sized.positions is None:
                 progress.undecided |= sized.exhausted
                 if not sized.exhausted:

@@ -4,12 +4,17 @@ A word fits a length L if the least sizes of its letters add up to at most L and
 The words whose greatest sizes fall short are among those whose least sizes fit, so that the number of words
 that fit is a difference of two counts, each over one running sum. Both are tabulated over a grid of lengths;
 lengths are rounded so that no fitting word is lost.
+
+The difference of two weights loses words much rarer than the others. Whether there are any at all is
+therefore asked of plain counts, without weights and modulo a large prime.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +22,15 @@ from numpy.typing import NDArray
 from layoutkit_relayout.machine import Machine
 
 Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Number = TypeVar("Number", np.float64, np.int64)
 
 #: Grid cells over the greatest length, at least and at most: finer where letters are narrow.
 COARSE, FINE = 1024, 8192
 #: Cells that the narrowest letter should have.
 _NARROWEST = 2
+#: Counts of words are kept modulo this prime: sums of thousands of them still fit 64 bits.
+_PRIME = 2**50 - 27
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +89,20 @@ class CompletionTable:
         falling_short = self._falling_short[state, short] if short >= 0 else 0.0
         return max(0.0, float(fitting - falling_short))
 
+    def possible(self, state: int, long: int, short: int) -> bool:
+        """Tell whether some completion fits, however small its weight."""
+        if long < 0 or self.mass(state, long, short) > 0:
+            return long >= 0
+        fitting, falling_short = self._counts
+        return bool(fitting[state, long] != (falling_short[state, short] if short >= 0 else 0))
+
+    @cached_property
+    def _counts(self) -> tuple[Ints, Ints]:
+        """Numbers of completions, modulo the prime: rarely needed, so made when they are."""
+        once = np.ones_like(self.weights, dtype=np.int64)
+        low, high = (_cumulative(self.machine, sizes, once, self._cells) for sizes in (self._low, self._high))
+        return low, high
+
     def sizes(self, letter: int) -> tuple[int, int]:
         """Return the range of a letter's size, in cells."""
         return int(self._low[letter]), int(self._high[letter])
@@ -101,8 +124,13 @@ class Completions:
 
     @property
     def total(self) -> float:
-        """Weight of all words that fit; 0 proves that there are none."""
+        """Weight of all words that fit; 0 where there are none, or none but the very rarest."""
         return 0.0 if self.table.machine.empty else self.table.mass(0, self.long, self.short)
+
+    @property
+    def empty(self) -> bool:
+        """Whether no word fits: this is proved."""
+        return self.table.machine.empty or not self.table.possible(0, self.long, self.short)
 
     def draw(self, share: float) -> tuple[str, ...]:
         """Return the word at a share (0 to 1) of the total weight, in the machine's order of words.
@@ -136,22 +164,29 @@ class Completions:
             state, long, short, word = pending.pop()
             if machine.accepting[state] and _ends(long, short):
                 yield word
-            for letter in map(int, reversed(np.flatnonzero(machine.next[state] >= 0))):
-                after = int(machine.next[state, letter])
-                low, high = self.table.sizes(letter)
-                if self.table.mass(after, long - low, short - high) > 0:
-                    pending.append((after, long - low, short - high, (*word, machine.letters[letter])))
+            for letter, after in reversed(self._following(state, long, short)):
+                if self.table.possible(*after):
+                    pending.append((*after, (*word, machine.letters[letter])))
+
+    def _following(self, state: int, long: int, short: int) -> list[tuple[int, tuple[int, int, int]]]:
+        """Return every letter that may come next, with the state and the lengths that it leaves."""
+        found = []
+        for letter in map(int, np.flatnonzero(self.table.machine.next[state] >= 0)):
+            low, high = self.table.sizes(letter)
+            found.append((letter, (int(self.table.machine.next[state, letter]), long - low, short - high)))
+        return found
 
     def _ways(self, state: int, long: int, short: int) -> list[tuple[int | None, float]]:
         """Return each way to go on with its weight; None, the end of the word, comes last if it is one."""
         table, ways = self.table, list[tuple[int | None, float]]()
-        for letter in map(int, np.flatnonzero(table.machine.next[state] >= 0)):
-            low, high = table.sizes(letter)
-            mass = table.mass(int(table.machine.next[state, letter]), long - low, short - high)
-            if mass > 0:
+        following = self._following(state, long, short)
+        for letter, after in following:
+            if mass := table.mass(*after):
                 ways.append((letter, float(mass * table.weights[state, letter])))
         if table.machine.accepting[state] and _ends(long, short):
             ways.append((None, 1.0))
+        elif not ways:  # none but words so rare that their weights are lost: any of them will do
+            ways = [(letter, np.inf) for letter, after in following if table.possible(*after)]
         elif ways:
             ways[-1] = (ways[-1][0], np.inf)  # rounding may not lead past the last way
         return ways
@@ -161,13 +196,15 @@ def _ends(long: int, short: int) -> bool:
     return long >= 0 > short
 
 
-def _cumulative(machine: Machine, sizes: NDArray[np.int64], weights: Floats, cells: int) -> Floats:
+def _cumulative(machine: Machine, sizes: Ints, weights: NDArray[Number], cells: int) -> NDArray[Number]:
     """Return, for each state and each length in cells, the weight of completions no longer than that.
 
-    Lengths are tabulated in blocks no longer than the smallest letter, so that they look back only.
+    Whole weights give counts, modulo the prime. Lengths are tabulated in blocks no longer than the smallest
+    letter, which look back at earlier blocks only.
     """
     states, width = len(machine.accepting), 2 * cells + 2
-    counts = np.zeros((states, width))  # the left half stays empty: nothing completes a negative length
+    # The left half stays empty: nothing completes a negative length.
+    counts = np.zeros((states, width), weights.dtype)
     origin, letter = np.nonzero((machine.next >= 0) & (sizes <= cells))
     counts[:, cells + 1 :] = machine.accepting[:, None]
     if not len(origin):
@@ -180,4 +217,6 @@ def _cumulative(machine: Machine, sizes: NDArray[np.int64], weights: Floats, cel
         along = np.arange(start, min(start + block, cells + 1))
         completed = flat[base[:, None] + along] * factors
         counts[origin[first, None], cells + 1 + along] += np.add.reduceat(completed, first, axis=0)
+        if counts.dtype == np.int64:
+            counts[:, cells + 1 + along] %= _PRIME
     return counts[:, cells + 1 :]

@@ -10,11 +10,13 @@ from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangem
 from layoutkit.constraints.generators import framed, sequences
 from layoutkit.model import Facade, Measure, Region, RegionSet, Word
 from layoutkit_relayout.inference.freedom import Freedom
-from layoutkit_relayout.inference.lockstep import Lockstep, locksteps
+from layoutkit_relayout.inference.lockstep import BAY, Lockstep, locksteps
 from layoutkit_relayout.inference.sizes import WALLS
 
 #: A bay is rare that occurs this many times less often than the commonest.
 _RARE = 3
+#: More rare bays than these are no exception.
+_FEW = 4
 #: Heights at an edge are the same within this share of a floor's height.
 _SAME_HEIGHT = 0.02
 
@@ -30,7 +32,7 @@ def bays(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
             part = Lockstep(paths, lockstep.word)
             if (words := _sequences(facade, part, freedom)) is not None:
                 yield from sequences(paths, words, "which bays and piers may be neighbours")
-                yield from _rare(part, freedom)
+                yield from _rare(facade, part, freedom)
 
 
 def _in_line(lockstep: Lockstep) -> Iterator[Alignment]:
@@ -60,14 +62,12 @@ def _sequences(facade: Facade, lockstep: Lockstep, freedom: Freedom) -> tuple[Wo
     return framed([word[0]], after, [word[-1]])
 
 
-def _rare(lockstep: Lockstep, freedom: Freedom) -> Iterator[Frequency]:
+def _rare(facade: Facade, lockstep: Lockstep, freedom: Freedom) -> Iterator[Frequency]:
     """Keep bays rare that are rare in the input."""
-    count = Counter(lockstep.word)
-    most = max(count.values())
-    rare = [
-        s for s, n in count.items() if n * _RARE <= most and s not in (lockstep.word[0], lockstep.word[-1])
-    ]
-    if rare:
+    floor = facade.regions[lockstep.paths[0]]
+    count = Counter(column.symbol for column in floor.children if BAY in column.labels)
+    rare = [symbol for symbol, n in count.items() if n * _RARE <= max(count.values())]
+    if rare and sum(count[symbol] for symbol in rare) <= _FEW:
         yield Frequency(
             of=RegionSet.union(rare),
             within=lockstep.paths[0],
