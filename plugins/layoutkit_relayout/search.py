@@ -23,8 +23,8 @@ from layoutkit_relayout.outlook import Outlook
 #: Successive multiples of it spread evenly over 0 to 1, whatever their number.
 _GOLDEN = 0.6180339887498949
 
-#: Words tried for one group before the search doubts an earlier choice, and QPs solved for one choice of words
-#: before it tries another: few at first, all words at last.
+#: Words tried for one group before the search doubts an earlier choice, and QPs solved for one choice of
+#: words before it tries another: few at first, all words at last.
 PATIENCE = ((5, 12), (40, 60), (math.inf, 400))
 #: Stands for the number of a choice when none is known to be at fault.
 _NOBODY = 10**9

@@ -269,9 +269,7 @@ def _feasible(
         overlap = min(ends[0][1], ends[1][1]) - max(ends[0][0], ends[1][0])
         gaps = [abs((1 - s) * (ends[0][0] - ends[1][0]) + s * (ends[0][1] - ends[1][1])) for s in shares]
         if overlap > 1e-6 * size and max(gaps) > 1e-6 * size:
-            in_line = [
-                ((1 - s) * (one.start - other.start) + s * (one.end - other.end), 0.0) for s in shares
-            ]
+            in_line = [((1 - s) * (one.start - other.start) + s * (one.end - other.end), 0.0) for s in shares]
             ways = (
                 Program([*program.equal, *in_line], program.least),
                 Program(program.equal, [*program.least, (other.start - one.end, 0.0)]),

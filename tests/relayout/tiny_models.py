@@ -38,11 +38,16 @@ def _some(random: Random, items: Sequence[str], least: int = 1, most: int | None
 
 def _word(random: Random, letters: str, least: int, most: int) -> list[str]:
     """Return a word that has every letter."""
-    word = [*letters, *random.choice([*letters], max(0, int(random.integers(least, most + 1)) - len(letters)))]
+    word = [
+        *letters,
+        *random.choice([*letters], max(0, int(random.integers(least, most + 1)) - len(letters))),
+    ]
     return [str(s) for s in random.permutation(word)]
 
 
-def _split(random: Random, symbol: str, word: Sequence[str], split: str, width: float, height: float) -> Region:
+def _split(
+    random: Random, symbol: str, word: Sequence[str], split: str, width: float, height: float
+) -> Region:
     """Return a region of terminals, its symbols' sizes random."""
     share = {s: random.uniform(0.6, 1.4) for s in word}
     total = sum(share[s] for s in word)
@@ -163,7 +168,9 @@ def _same_size(facade: Facade, random: Random) -> list[Constraint]:
         first = Extent(None, within, Word(tuple(RegionSet(s) for s in word)))
     scope = _some(random, _composites(facade), 1, 1)[0] if random.random() < 0.3 else None
     return [
-        SameSize(first=first, second=second if random.random() < 0.7 else None, dimension=dimension, within=scope)
+        SameSize(
+            first=first, second=second if random.random() < 0.7 else None, dimension=dimension, within=scope
+        )
     ]
 
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from layoutkit.constraints import Constraint
+from layoutkit.constraints.view import LayoutView
 from layoutkit.hooks.specs import Outcome, Stage
-from layoutkit.model import Facade
+from layoutkit.model import Facade, Layout
 from layoutkit_relayout.inference.bays import bays
 from layoutkit_relayout.inference.doors import doors
 from layoutkit_relayout.inference.freedom import LEVELS, Freedom, Level
@@ -47,11 +48,15 @@ class Infer(Stage):
 
 
 def inferred(facade: Facade, freedom: Freedom) -> tuple[Constraint, ...]:
-    """Return constraints that the input itself keeps."""
+    """Return constraints that the input itself keeps.
+
+    An alignment is read off one bay of each kind; where a second occurrence stands otherwise, it is left out.
+    """
+    input_view = LayoutView(Layout(facade.name, facade.units, facade.root), facade)
     return (
         *sizes(facade, freedom),
         *storeys(facade, freedom),
         *bays(facade, freedom),
         *doors(facade),
-        *lines(facade, freedom),
+        *(line for line in lines(facade, freedom) if not any(line.violations(input_view))),
     )
