@@ -194,6 +194,9 @@ class Search:
                 progress.undecided |= sized.exhausted
                 if not sized.exhausted:
                     progress.culprit = self._culprit(axis, progress.choices)
+                elif math.isfinite(progress.patience) and progress.choices:
+                    # Nothing is known of the cause: try elsewhere first, and come back in the last round.
+                    progress.culprit = int(generator.integers(1, len(progress.choices) + 1))
                 return None
             positions.append(sized.positions)
         return region_tree(arrangement, positions)

@@ -29,11 +29,11 @@ LINES = {"left": 0.0, "center": 0.5, "right": 1.0, "top": 0.0, "middle": 0.5, "b
 CLEAR, DOUBTFUL = -1e-7, -1e-5
 
 
-class Doubtful(Exception):
+class Doubtful(Exception):  # noqa: N818 - names the fact
     """The model stands on a knife's edge: tolerances would decide."""
 
 
-class TooMany(Exception):
+class TooMany(Exception):  # noqa: N818 - names the fact
     """The model has more combinations of words than brute force should try."""
 
 

@@ -27,7 +27,7 @@ COVERINGS = st.lists(PIECES, min_size=1, max_size=5).map(lambda pieces: Covering
 COUNTS = st.tuples(st.integers(0, 2), st.integers(0, 2)).map(lambda two: (min(two), max(two)))
 COUNTINGS = st.builds(
     Counting,
-    st.fixed_dictionaries({letter: COUNTS for letter in "abc"}),
+    st.fixed_dictionaries(dict.fromkeys("abc", COUNTS)),
     st.integers(-1, 4),
     st.integers(0, 5) | st.just(float("inf")),
 )
@@ -151,7 +151,7 @@ def test_the_machine_of_one_word() -> None:
 def test_too_many_states_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(machines, "MOST_STATES", 5)
     with pytest.raises(TooManyStates, match="more than 5 states"):
-        build("abc", same(Counting({letter: (1.0, 1.0) for letter in "abc"}, 0.0, 9.0)))
+        build("abc", same(Counting(dict.fromkeys("abc", (1.0, 1.0)), 0.0, 9.0)))
 
 
 def _always(letters: Sequence[str]) -> Callable[[Sequence[str]], bool]:
