@@ -15,7 +15,9 @@ from layoutkit_relayout.inference.lockstep import BAY, locksteps
 WALLS = frozenset({"Wall", "Pier", "Background", "Sky", "Roof"})
 #: Labels of elements that look wrong when they are stretched.
 HARD = frozenset({"Window", "Door", "Shop", "Blind", "Balcony", "Deco", "Pillar"})
-FLOOR = "Floor"
+#: Labels of what runs along a facade, at any length.
+BANDS = frozenset({"Cornice", "Molding"})
+FLOOR, PIER = "Floor", "Pier"
 ROOMS = frozenset({"Facade", "Building", FLOOR})
 #: A column that takes more than this share of the facade's width grows with it.
 _WIDE = 0.3
@@ -26,7 +28,8 @@ def sizes(facade: Facade, freedom: Freedom) -> Iterator[Size]:
     wide = [path for path in facade.regions if "/" in path and _wide(facade, path)]
     soft = _without(_labelled(WALLS & facade.labels), [f"@{BAY}"] if BAY in facade.labels else [])
     roomy = [path for path in _roomy(facade) if path not in wide]
-    firm = _without(_labelled(facade.labels - WALLS - ROOMS), [*wide, *roomy])
+    piers = [f"@{PIER}"] if PIER in facade.labels else []
+    firm = _without(_labelled(facade.labels - WALLS - ROOMS), [*piers, *wide, *roomy])
     floors = _labelled({FLOOR} & facade.labels)
     yield from _size(soft, freedom.walls, "walls and piers take up what is left over")
     yield from _size(firm, freedom.elements, "windows, doors and ornaments keep about their size")
@@ -37,15 +40,16 @@ def sizes(facade: Facade, freedom: Freedom) -> Iterator[Size]:
     rest = [path for path in facade.regions if "/" in path and path not in sized and _undivided(facade, path)]
     broad = [path for path in rest if path in wide]
     groups = [path for path in rest if path not in wide]
-    yield from _size(_union(broad), freedom.walls, "what takes much of the width grows with it")
+    yield from _size(_union(broad), freedom.walls, "what runs along the facade grows with it")
     yield from _size(_union(groups), freedom.elements, "groups of elements keep about their size")
 
 
 def _wide(facade: Facade, path: str) -> bool:
-    """Tell whether a column takes so much of the facade's width that it must grow with it."""
-    region = facade.regions[path]
-    wide = axis_of(facade, path) == 0 and region.width > _WIDE * facade.root.width
-    return wide and _undivided(facade, path) and not WALLS & set(region.labels)
+    """Tell whether a column must grow with the facade: a large part of it, or a piece of a band."""
+    region, labels = facade.regions[path], set(facade.regions[path].labels)
+    if axis_of(facade, path) != 0 or labels & WALLS or not _undivided(facade, path):
+        return False
+    return region.width > _WIDE * facade.root.width or (region.terminal and bool(labels) and labels <= BANDS)
 
 
 def _roomy(facade: Facade) -> Iterator[str]:
