@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.sequence import Sequence
@@ -12,26 +13,29 @@ from layoutkit.sizing.arrangement import AXIS
 
 #: A region without a size constraint keeps to these shares of its input size (Bao et al. 2013, section 5.1:
 #: "bounds at a fixed fraction from the center").
-DEFAULT_LEAST, DEFAULT_MOST, DEFAULT_DEVIATION = 0.5, 2.0, 0.1
+_UNDIVIDED = Size(
+    of=RegionSet("default"),
+    min=Measure(0.5, relative=True),
+    max=Measure(2.0, relative=True),
+    deviation=Measure(0.1, relative=True),
+    comment="default size",
+)
+#: If something inside divides it, its size comes from there; but not every word need have that inside.
+_DIVIDED = Size(of=RegionSet("default"), deviation=Measure(1.0, relative=True), comment="default size")
 
 
 def default_sizes(facade: Facade) -> tuple[Size, ...]:
-    """Return a size constraint for every region that has none and that nothing inside divides.
+    """Return a size constraint for every region that has none.
 
-    Such are all terminals, and a bay of rows in a floor of columns; a floor's height, on the other hand,
-    comes from what is inside.
+    One that nothing inside divides keeps between half and twice its input size: such are all terminals, and a
+    bay of rows in a floor of columns. A floor's height, on the other hand, comes from what is inside: it is
+    only drawn weakly to its input size.
     """
     sized = {path for c in facade.constraints if isinstance(c, Size) for path in facade.select(c.of)}
     return tuple(
-        Size(
-            of=RegionSet(path),
-            min=Measure(DEFAULT_LEAST, relative=True),
-            max=Measure(DEFAULT_MOST, relative=True),
-            deviation=Measure(DEFAULT_DEVIATION, relative=True),
-            comment="default size",
-        )
+        replace(_DIVIDED if divided(region, axis_of(facade, path)) else _UNDIVIDED, of=RegionSet(path))
         for path, region in facade.regions.items()
-        if "/" in path and path not in sized and not divided(region, axis_of(facade, path))
+        if "/" in path and path not in sized
     )
 
 
