@@ -68,10 +68,8 @@ def test_a_variation_is_the_same_alone_and_in_a_batch(palace: Facade) -> None:
 
 def test_neither_hash_order_nor_process_shows(tmp_path: Path) -> None:
     """Two processes, whose sets and dicts of strings are in other orders, write the same bytes."""
-    source = (
-        "import sys; from layoutkit.cli.app import main\n"
-        f"sys.exit(main(['vary', {str(sample_path('townhouse'))!r}, '-n', '3', '--width', '130%', '-o', sys.argv[1]]))"
-    )
+    command = ["vary", str(sample_path("townhouse")), "-n", "3", "--width", "130%", "-o"]
+    source = f"import sys; from layoutkit.cli.app import main; sys.exit(main([*{command!r}, sys.argv[1]]))"
     digests = []
     for number in ("1", "2"):
         folder = tmp_path / number
@@ -110,8 +108,8 @@ def test_what_the_input_itself_keeps_is_never_infeasible(number: int) -> None:
         assert outcome.status != "infeasible"
 
 
-def close(one: Region, other: Region) -> bool:
-    tolerance = 1e-7 * 12
+def close(one: Region, other: Region, tolerance: float) -> bool:
+    tolerance *= max(one.width, one.height)
     pairs = list(zip(place(one), place(other), strict=True))
     return all(
         a.path == b.path and all(abs(p - q) <= tolerance for p, q in zip(a.box, b.box, strict=True))
@@ -132,7 +130,8 @@ def test_without_freedom_the_input_comes_back(number: int, way: str) -> None:
     (outcome,) = made(replace(bare, constraints=tuple(sizes)), count=1, seed=number)
     assert outcome.status == "found"
     assert isinstance(outcome.document, Layout)
-    assert close(outcome.document.root, bare.root)
+    # Bounds hold to rounding; what the objective asks for, to what the solver's accuracy makes of it.
+    assert close(outcome.document.root, bare.root, 1e-9 if way == "fixed" else 2e-6)
 
 
 def row(symbols: str, sizes: dict[str, float], height: float = 3.0) -> Region:
@@ -147,9 +146,8 @@ def free(letters: str, within: str = "R") -> list[object]:
 
 def test_infeasible_is_said_and_what_to_do() -> None:
     root = row("ab", {"a": 1.0, "b": 1.0})
-    exact = (Size(of=RegionSet("R/a"), min=Measure(1.0), max=Measure(1.0)),) + (
-        Size(of=RegionSet("R/b"), min=Measure(1.0), max=Measure(1.0)),
-    )
+    one = Measure(1.0)
+    exact = [Size(of=RegionSet(path), min=one, max=one) for path in ("R/a", "R/b")]
     facade = Facade("f", "m", root, constraints=(*free("ab"), *exact))  # type: ignore[arg-type]
     (outcome,) = made(facade, count=1, width=Measure(3.5))
     assert (outcome.status, outcome.document) == ("infeasible", None)

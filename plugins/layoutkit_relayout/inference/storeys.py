@@ -14,10 +14,8 @@ from layoutkit_relayout.inference.lockstep import locksteps
 
 #: Labels of what belongs on the ground: a floor that has it stays where it is.
 GROUNDED = frozenset({"Door", "Shop"})
-
-
-#: With more free floors than these, the topmost stays as it is.
-_TOP_STAYS = 2
+#: Labels of what is not the house: a floor that has it is at its edge, and stays too.
+OUTSIDE = frozenset({"Background", "Sky"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +70,7 @@ def _words(found: Storeys, may_vary: Collection[str], freedom: Freedom) -> list[
     """Return one sequence a transition from floor to floor, and those of head and foot."""
     last = len(found.floors) - 1
     free = [i for i in range(last) if found.floors[i] in may_vary]
-    if len(free) > _TOP_STAYS and free[0] == 0:
+    if len(free) > 1 and free[0] == 0:
         free = free[1:]  # the top floor bears the roof
     ways: dict[tuple[str, ...], None] = {}
     for i in range(last):
@@ -89,7 +87,7 @@ def _words(found: Storeys, may_vary: Collection[str], freedom: Freedom) -> list[
 
 
 def _may_vary(floor: Region) -> bool:
-    return is_floor(floor) and not (labels_in(floor) & GROUNDED) and "Window" in labels_in(floor)
+    return is_floor(floor) and not (labels_in(floor) & (GROUNDED | OUTSIDE)) and "Window" in labels_in(floor)
 
 
 def labels_in(region: Region) -> frozenset[str]:
