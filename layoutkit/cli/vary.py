@@ -182,12 +182,11 @@ def _as_data(session: Session, status: Status, seed: int, results: list[_Result]
             {
                 "index": position,
                 "status": result.outcome.status,
-                "layout": str(result.variation.layout),
-                "picture": str(result.variation.picture),
+                "layout": str(result.variation.layout) if result.variation else None,
+                "picture": str(result.variation.picture) if result.variation else None,
                 "seconds": round(result.outcome.seconds, 6),
             }
             for position, result in enumerate(results)
-            if result.variation is not None
         ],
         "diagnostics": [d.as_dict() for d in session.diagnostics],
     }

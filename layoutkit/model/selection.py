@@ -100,10 +100,13 @@ class RegionSet:
         return self.left.contains(names) and self.right.contains(names) is (self.operator == "&")
 
     def __str__(self) -> str:
-        parts, node = [], self
+        parts: list[str] = []
+        node = self
         while node.left is not None and node.right is not None:
             right = f"({node.right})" if node.right.operator else str(node.right)
             parts += [right, str(node.operator)]
+            if node.left.operator and node.left.operator != node.operator:  # read alike by everyone
+                return " ".join([f"({node.left})", *reversed(parts)])
             node = node.left
         return " ".join([node.name, *reversed(parts)])
 

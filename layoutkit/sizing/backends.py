@@ -37,10 +37,12 @@ class Daqp(Backend):
             np.maximum(problem.least, -_FAR),
             sense,
             primal_tol=1e-10,
+            eta_prox=1e-12,  # where it regularises, it goes on until that no longer shows
         )
         if flag == 1:
             return Solution("solved", np.asarray(x, dtype=float))
-        return Solution("infeasible" if flag == -1 else "unknown")
+        # Its word that there is none is no proof (it has no certificate): the next backend decides.
+        return Solution("unknown")
 
 
 class Clarabel(Backend):

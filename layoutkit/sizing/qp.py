@@ -90,4 +90,4 @@ class Backend(ABC):
 
     @abstractmethod
     def solve(self, problem: QP) -> Solution:
-        """Solve the problem to a residual well below 1e-9 of its scale, or say why not."""
+        """Solve the problem to a residual of 1e-9 or less; say `infeasible` only where it is proved."""

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import reduce
 
 import numpy as np
 
-from layoutkit_relayout.machine import Counting, Machine, build
+from layoutkit_relayout.machine import Counting, Machine, TooManyStates, build
 from layoutkit_relayout.model import Interval, Model, WordGroup, meet
 from layoutkit_relayout.table import Completions, CompletionTable, Letters
 
@@ -20,6 +21,8 @@ COMFORT = (1.5, 4.0, np.inf)
 NOTHING: Interval = (1.0, 0.0)
 #: Draws at each level before the next one is tried.
 DRAWS = 6
+#: States that machines may have once they count.
+MOST_COUNTING = 2_000
 
 
 @dataclass(frozen=True)
@@ -51,10 +54,16 @@ class Question:
 
 
 class Candidates:
-    """Words of groups, from completion tables that are kept from one variation to the next."""
+    """Words of groups, from completion tables that are kept from one variation to the next.
+
+    Attributes
+    ----------
+    exact
+        Whether all tables so far lose no fitting word, so that what they exclude is proved.
+    """
 
     def __init__(self, model: Model, size: tuple[float, float]) -> None:
-        self.model, self.size = model, size
+        self.model, self.size, self.exact = model, size, True
         self._tables: dict[object, CompletionTable] = {}
         self._machines: dict[object, Machine] = {}
 
@@ -119,6 +128,7 @@ class Candidates:
             least, most = np.array(ranges).reshape(-1, 2).T
             letters = Letters(least, most, self.model.weights(group, machine))
             self._tables[key] = CompletionTable(machine, letters, self._reach(names))
+            self.exact &= self._tables[key].exact
         return self._tables[key].at(*reduce(meet, (interval for _, interval in members)))
 
     def _reach(self, members: Sequence[str]) -> float:
@@ -131,16 +141,20 @@ class Candidates:
         return reduce(meet, (self.model.hull(path, self.model.axis(m), comfort) for m, path in paths))
 
     def _machine(self, group: WordGroup, question: Question) -> Machine:
-        if not question.counts:
-            return group.machine(question.names)
+        """Return the words that the rules allow, and as many of the counts as tables have room for.
+
+        The counts that are left out are checked once all words are chosen.
+        """
         key = (group, question.names, question.counts)
         if key not in self._machines:
+            machine, automata = group.machine(question.names), group.automata(question.names)
             same = {letter: letter for letter in group.letters}
-            counting = [
-                (Counting(dict(zip(group.letters, inside, strict=True)), least, most), same)
-                for inside, least, most in question.counts
-            ]
-            self._machines[key] = build(group.letters, [*group.automata(question.names), *counting])
+            for inside, least, most in question.counts:
+                counting = Counting(dict(zip(group.letters, inside, strict=True)), least, most)
+                with suppress(TooManyStates):
+                    machine = build(group.letters, [*automata, (counting, same)], MOST_COUNTING)
+                    automata = [*automata, (counting, same)]
+            self._machines[key] = machine
         return self._machines[key]
 
     def _fits(self, group: WordGroup, question: Question, word: Word) -> bool:

@@ -132,7 +132,11 @@ class Machine:
         return None
 
 
-def build(letters: Sequence[str], automata: Sequence[tuple[Automaton, Mapping[str, str]]]) -> Machine:
+def build(
+    letters: Sequence[str],
+    automata: Sequence[tuple[Automaton, Mapping[str, str]]],
+    most_states: int = MOST_STATES,
+) -> Machine:
     """Return the machine of the words that all automata accept.
 
     Parameters
@@ -145,7 +149,7 @@ def build(letters: Sequence[str], automata: Sequence[tuple[Automaton, Mapping[st
     Raises
     ------
     TooManyStates
-        If their product has more than `MOST_STATES` states.
+        If their product has more than `most_states` states.
     """
     start: tuple[State, ...] = tuple(automaton.start() for automaton, _ in automata)
     numbers: dict[tuple[State, ...], int] = {start: 0}
@@ -159,8 +163,8 @@ def build(letters: Sequence[str], automata: Sequence[tuple[Automaton, Mapping[st
         for letter in letters:
             after = _step(automata, states, letter)
             if after is not None and after not in numbers:
-                if len(numbers) >= MOST_STATES:
-                    raise TooManyStates(f"more than {MOST_STATES} states")
+                if len(numbers) >= most_states:
+                    raise TooManyStates(f"more than {most_states} states")
                 numbers[after] = len(numbers)
                 pending.append(after)
             row.append(-1 if after is None else numbers[after])

@@ -107,9 +107,9 @@ class Outlook:
         return found
 
     def _contribution(self, group: WordGroup, letter: str, rule: Counts) -> Interval:
-        """Return how many counted regions a letter of the group brings, in all members together."""
+        """Return how many counted regions a letter of the group brings, in all members without a word."""
         low = high = 0.0
-        for member in (m for m in group.members if m in self.lengths):
+        for member in (m for m in group.members if m in self.lengths and m not in self.words):
             if times := self._times(member, rule.path):
                 inside = self.model.content(f"{member}/{group.symbols[member][letter]}", rule.counted)
                 low, high = low + times * inside[0], high + times * inside[1]

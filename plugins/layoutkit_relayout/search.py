@@ -92,7 +92,7 @@ class Search:
                     return Found("limit", None, progress.used)
             if not progress.cut_short and not progress.undecided:
                 break
-        undecided = progress.undecided or progress.used >= progress.nodes
+        undecided = progress.undecided or progress.used >= progress.nodes or not self.candidates.exact
         return Found("limit" if undecided else "infeasible", None, progress.used)
 
     def arrangements(self, node_limit: int) -> Iterator[Words]:

@@ -57,9 +57,17 @@ class Relayout(Stage):
             With its constraints; without any, terminals keep to the default sizes and words to the input's.
         """
         from layoutkit.sizing.threads import single_threaded
+        from layoutkit_relayout.machine import TooManyStates
 
+        made = 0
         with single_threaded():
-            yield from self._variations(facade, options)
+            try:
+                for outcome in self._variations(facade, options):
+                    yield outcome
+                    made += 1
+            except TooManyStates as error:
+                for _ in range(options.count - made):
+                    yield Outcome("limit", None, (_too_many(error),))
 
     def _variations(self, facade: Facade, options: RelayoutOptions) -> Iterator[Outcome]:
         from layoutkit.sizing.backends import BACKENDS
@@ -100,6 +108,15 @@ def _checked(layout: Layout, seconds: float) -> Outcome:
         details=(f"{first.path}: {first.message} ({first.constraint or 'rule of every layout'})",),
     )
     return Outcome("limit", None, (about,), seconds)
+
+
+def _too_many(error: Exception) -> Diagnostic:
+    return Diagnostic(
+        "LK601",
+        f"the sequences of a region are too many to search: {error}",
+        hint="write fewer or shorter sequences: long runs of sets multiply what has to be kept in mind",
+        topic="search",
+    )
 
 
 def _none(facade: Facade, size: tuple[float, float], status: str, nodes: int) -> Diagnostic:

@@ -3,7 +3,7 @@
 A word fits a length L if the least sizes of its letters add up to at most L and the greatest to at least L.
 The words whose greatest sizes fall short are among those whose least sizes fit, so that the number of words
 that fit is a difference of two counts, each over one running sum. Both are tabulated over a grid of lengths;
-lengths are rounded so that no fitting word is lost.
+lengths are rounded so that no fitting word is lost, as long as the table is `exact`.
 
 The difference of two weights loses words much rarer than the others. Whether there are any at all is
 therefore asked of plain counts, without weights and modulo a large prime.
@@ -61,6 +61,12 @@ class CompletionTable:
         Sizes and weights of the letters.
     reach
         The greatest length that will be asked for.
+
+    Attributes
+    ----------
+    exact
+        Whether no fitting word is lost: false where a letter is narrower than the finest cell, which it then
+        fills.
     """
 
     def __init__(self, machine: Machine, letters: Letters, reach: float) -> None:
@@ -72,6 +78,7 @@ class CompletionTable:
             self._cells *= 2
         self._cell = reach / self._cells
         low = np.maximum(1, np.floor(letters.least / self._cell + 1e-9))
+        self.exact = bool(narrowest >= self._cell)
         high = np.ceil(np.minimum(letters.most, 2 * reach) / self._cell - 1e-9)
         self._low = np.where(usable, low, self._cells + 2).astype(np.int64)
         self._high = np.where(usable, np.maximum(low, high), self._cells + 2).astype(np.int64)

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from layoutkit.constraints.covering import Covering, Piece
 from layoutkit.constraints.word_rules import Automaton
-from layoutkit_relayout import machine as machines
 from layoutkit_relayout.machine import Counting, Exactly, Machine, TooManyStates, build, chain, trim
 from layoutkit_relayout.model import longest, shortest
 
@@ -148,10 +147,11 @@ def test_the_machine_of_one_word() -> None:
         assert np.array_equal(built.accepting, single.accepting)
 
 
-def test_too_many_states_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(machines, "MOST_STATES", 5)
+def test_too_many_states_are_refused() -> None:
+    counting = same(Counting(dict.fromkeys("abc", (1.0, 1.0)), 0.0, 9.0))
     with pytest.raises(TooManyStates, match="more than 5 states"):
-        build("abc", same(Counting(dict.fromkeys("abc", (1.0, 1.0)), 0.0, 9.0)))
+        build("abc", counting, 5)
+    assert len(build("abc", counting, 10).accepting) == 10
 
 
 def _always(letters: Sequence[str]) -> Callable[[Sequence[str]], bool]:

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -14,13 +15,15 @@ from grown import grown
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from layoutkit.constraints import BUILT_IN, Size
+from layoutkit.constraints import BUILT_IN, Frequency, Size
 from layoutkit.constraints.generators import framed, sequences
 from layoutkit.documents import layout_bytes, read
 from layoutkit.hooks.specs import Outcome
 from layoutkit.model import Facade, Layout, Measure, Region, RegionSet, place
 from layoutkit.samples import sample_path
+from layoutkit_relayout import model
 from layoutkit_relayout.inference.stage import Infer, InferOptions
+from layoutkit_relayout.machine import build
 from layoutkit_relayout.stage import Relayout, RelayoutOptions
 
 KINDS = {kind.kind: kind for kind in BUILT_IN}
@@ -42,9 +45,9 @@ def documents(outcomes: Sequence[Outcome]) -> list[bytes]:
 
 @pytest.fixture(scope="module")
 def palace() -> Facade:
-    model = read(sample_path("palace"), KINDS).model
-    assert isinstance(model, Facade)
-    (outcome,) = Infer().run(model, InferOptions())
+    document = read(sample_path("palace"), KINDS).model
+    assert isinstance(document, Facade)
+    (outcome,) = Infer().run(document, InferOptions())
     assert isinstance(outcome.document, Facade)
     return outcome.document
 
@@ -173,3 +176,42 @@ def test_a_limit_is_no_proof() -> None:
     assert diagnostic.code == "LK601"
     assert "1 words tried" in diagnostic.message
     assert made(floors(), count=1, node_limit=2)[0].status == "found"
+
+
+def counted(least: float, most: float) -> Facade:
+    """A row of four symbols in any order, each of which is counted."""
+    root = row("abcd" * 15, dict.fromkeys("abcd", 1.0))
+    counts = [Frequency(of=RegionSet(s), within="R", min=Measure(least), max=Measure(most)) for s in "abcd"]
+    return Facade("f", "m", root, constraints=(*free("abcd"), *counts))  # type: ignore[arg-type]
+
+
+def test_more_counts_than_tables_have_room_for() -> None:
+    """Ten to twenty of each of four: all counts together have a hundred thousand states."""
+    for outcome in made(counted(10, 20), count=3):
+        assert outcome.status == "found"
+        assert isinstance(outcome.document, Layout)
+        assert outcome.document.violations() == ()
+
+
+def test_sequences_too_many_to_search_are_said_to_be(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(model, "build", partial(build, most_states=2))
+    outcomes = made(counted(10, 20), count=2)
+    assert [(o.status, o.document, [d.code for d in o.diagnostics]) for o in outcomes] == [
+        ("limit", None, ["LK601"])
+    ] * 2
+    assert "more than 2 states" in outcomes[0].diagnostics[0].message
+
+
+def test_words_however_rare_are_found_and_nothing_is_proved_wrongly() -> None:
+    """Sixteen of the one rare symbol are the only word that fits; among all it weighs 1e-27."""
+    root = row("a" * 50 + "b", {"a": 61.0, "b": 61.0})
+    sizes = [
+        Size(of=RegionSet("R/a"), min=Measure(61.0), max=Measure(61.0)),
+        Size(of=RegionSet("R/b"), min=Measure(61.0), max=Measure(64.0)),
+    ]
+    facade = Facade("f", "m", root, constraints=(*free("ab"), *sizes))  # type: ignore[arg-type]
+    (found,) = made(facade, count=1, width=Measure(1024.0))
+    assert isinstance(found.document, Layout)
+    assert found.document.root.word == ("b",) * 16
+    (none,) = made(facade, count=1, width=Measure(1025.0))
+    assert none.status == "infeasible"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from itertools import pairwise
@@ -71,7 +72,7 @@ def _rare(facade: Facade, lockstep: Lockstep, freedom: Freedom) -> Iterator[Freq
         yield Frequency(
             of=RegionSet.union(rare),
             within=lockstep.paths[0],
-            max=Measure(freedom.rare, relative=True),
+            max=Measure(math.ceil(freedom.rare * sum(count[symbol] for symbol in rare))),
             comment="rare bays stay rare",
         )
 

@@ -38,7 +38,7 @@ class Freedom:
     lockstep
         Whether floors that share their bays keep on sharing them.
     rare
-        Greatest count of a rare bay, as a share of the input's count and grown with the width.
+        Greatest count of rare bays, as a multiple of the input's.
     """
 
     elements: Span

@@ -33,6 +33,13 @@ class Lockstep:
 
 def locksteps(facade: Facade) -> list[Lockstep]:
     """Return the outermost regions of at least three columns, those together whose columns are the same."""
+    if "locksteps" not in facade.memory:
+        facade.memory["locksteps"] = _found(facade)
+    found: list[Lockstep] = facade.memory["locksteps"]
+    return found
+
+
+def _found(facade: Facade) -> list[Lockstep]:
     found: defaultdict[tuple[str, tuple[str, ...], tuple[int, ...]], list[str]] = defaultdict(list)
     unit = _IN_LINE * facade.root.width
     for path, region in facade.regions.items():
