@@ -236,13 +236,31 @@ def _in_line(group: tuple[Bay, ...], row: tuple[Bay, ...], tolerance: float) -> 
     for bay in union:
         own = [b for b in row if _overlap(b, bay) > tolerance]
         others = [b for b in group if _overlap(b, bay) > tolerance]
-        if len(own) > 1 or len(others) > 1 or (own and others and not _one_above_other(own[0], others[0])):
+        if own and others and not _stacked(own, others, tolerance):
+            return None
+        if not (own and others) and max(len(own), len(others)) > 1:
             return None
         matched += bool(own and others and own[0].has_core)
     cores = max(sum(bay.has_core for bay in bays) for bays in (row, group))
     if not matched or matched < IN_LINE * cores or len(union) - len(group) > ADDED * len(group):
         return None
     return tuple(union)
+
+
+def _stacked(own: Sequence[Bay], others: Sequence[Bay], tolerance: float) -> bool:
+    """Tell whether the bays of two rows that share a strip are one above the other.
+
+    Several may stand over one that is at least as wide as all of them: a pair of windows over a wide one.
+    """
+    if len(own) == 1 == len(others):
+        return _one_above_other(own[0], others[0])
+    wide, narrow = (own, others) if len(own) == 1 else (others, own)
+    if len(wide) > 1 or len({bay.has_core for bay in (*own, *others)}) > 1:
+        return False
+    start, end = min(bay.x0 for bay in narrow), max(bay.x1 for bay in narrow)
+    apart = abs(start + end - wide[0].x0 - wide[0].x1) / 2
+    inside = wide[0].x0 - tolerance <= start and end <= wide[0].x1 + tolerance
+    return inside and apart <= CENTRED * (wide[0].x1 - wide[0].x0)
 
 
 def _one_above_other(one: Bay, other: Bay) -> bool:

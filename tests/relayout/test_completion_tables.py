@@ -145,6 +145,11 @@ def test_a_letter_may_be_of_any_size() -> None:
                                                   ("b", "a", "b"), ("b", "b", "a"), ("b",) * 4])  # fmt: skip
 
 
+def test_letters_narrower_than_the_finest_cell_are_not_vouched_for() -> None:
+    assert any_word([(200.0, 300.0), (0.2, 300.0)]).exact
+    assert not any_word([(200.0, 300.0), (0.01, 300.0)]).exact
+
+
 def test_a_machine_without_words() -> None:
     nothing = build("ab", same(Counting({"a": (0.0, 0.0), "b": (0.0, 0.0)}, 3.0, 2.0)))
     assert nothing.empty
