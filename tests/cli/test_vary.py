@@ -199,8 +199,13 @@ def test_how_a_search_may_end(
     assert run.code == code
     assert run.data["status"] == status
     layouts = [str(out / f"variation-0{number}.xml") for number in files]
-    assert [v["layout"] for v in run.data["variations"]] == layouts
-    assert [v["index"] for v in run.data["variations"]] == [number - 1 for number in files]
+    listed = run.data["variations"]
+    assert [v["layout"] for v in listed if v["layout"] is not None] == layouts
+    assert [v["index"] for v in listed if v["status"] == "found"] == [number - 1 for number in files]
+    assert all(
+        (v["status"] == "found") == (v["layout"] is not None) == (v["picture"] is not None) for v in listed
+    )
+    assert {v["status"] for v in listed} == {"found", status} - (set() if files else {"found"})
     assert [str(path) for path in sorted(out.glob("variation-*.xml"))] == layouts
     assert (out / "sheet.png").exists() == bool(files)
     assert [d["code"] for d in run.data["diagnostics"]] == ["LK203" if limit == 1 else "LK601"]
