@@ -65,13 +65,13 @@ def _sequences(facade: Facade, lockstep: Lockstep, freedom: Freedom) -> tuple[Wo
 
 def _rare(facade: Facade, lockstep: Lockstep, freedom: Freedom) -> Iterator[Frequency]:
     """Keep bays rare that are rare in the input."""
-    floor = facade.regions[lockstep.paths[0]]
+    floor = facade.regions[lockstep.paths[-1]]
     count = Counter(column.symbol for column in floor.children if BAY in column.labels)
     rare = [symbol for symbol, n in count.items() if n * _RARE <= max(count.values())]
     if rare and sum(count[symbol] for symbol in rare) <= _FEW:
         yield Frequency(
             of=RegionSet.union(rare),
-            within=lockstep.paths[0],
+            within=lockstep.paths[-1],  # the lowest floor is never left out
             max=Measure(math.ceil(freedom.rare * sum(count[symbol] for symbol in rare))),
             comment="rare bays stay rare",
         )
