@@ -12,7 +12,7 @@ from layoutkit.model.box import Box
 Split = Literal["columns", "rows"]
 Fill = Literal["stretch", "repeat"]
 
-#: Siblings tile their parent to this share of the parent's size (DESIGN, conventions: exactness).
+#: Siblings tile their parent to this share of the parent's size.
 TILING_TOLERANCE = 1e-9
 
 
