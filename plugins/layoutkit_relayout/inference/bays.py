@@ -11,8 +11,8 @@ from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangem
 from layoutkit.constraints.generators import framed, sequences
 from layoutkit.model import Facade, Measure, Region, RegionSet, Word
 from layoutkit_relayout.inference.freedom import Freedom
-from layoutkit_relayout.inference.lockstep import BAY, Lockstep, locksteps
-from layoutkit_relayout.inference.sizes import WALLS
+from layoutkit_relayout.inference.labels import BAY, PIER, WALLS
+from layoutkit_relayout.inference.lockstep import Lockstep, locksteps
 
 #: A bay is rare that occurs this many times less often than the commonest.
 _RARE = 3
@@ -105,7 +105,7 @@ class _Edges:
 
     def _space(self, symbol: str) -> bool:
         """Tell whether a column is mere space between bays: nothing but wall, or what runs along it."""
-        return all("Bay" not in children[symbol].labels for children in self._children)
+        return all(BAY not in children[symbol].labels for children in self._children)
 
     def _touching(self, symbol: str, side: int) -> set[tuple[int, str, int, int]]:
         found = set()
@@ -120,7 +120,7 @@ class _Edges:
 def _edge(region: Region, side: int, bottom: float) -> Iterator[tuple[str, float, float]]:
     """Yield label, bottom and top of every terminal that touches the left (0) or right (1) edge."""
     if region.split is None:
-        kept = [label for label in region.labels if label not in ("Bay", "Pier")]
+        kept = [label for label in region.labels if label not in (BAY, PIER)]
         yield (kept[0] if kept else "Wall"), bottom, bottom + region.height
     elif region.split == "columns":
         yield from _edge(region.children[-1 if side else 0], side, bottom)

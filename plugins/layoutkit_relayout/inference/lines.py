@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from layoutkit.constraints import Alignment
 from layoutkit.model import Facade, PlacedRegion, RegionSet
 from layoutkit_relayout.inference.freedom import Freedom
+from layoutkit_relayout.inference.labels import WALLS
 from layoutkit_relayout.inference.lockstep import Lockstep, locksteps
-from layoutkit_relayout.inference.sizes import WALLS
 
 #: Lines coincide within this share of the facade's size.
 _COINCIDE = 1e-6

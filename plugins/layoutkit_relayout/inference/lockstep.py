@@ -7,9 +7,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 from layoutkit.model import Facade, Region
-
-#: The label of a bay.
-BAY = "Bay"
+from layoutkit_relayout.inference.labels import BAY, FLOOR
 
 #: Columns of two floors are the same whose lines coincide within this share of the facade's width.
 _IN_LINE = 1e-6
@@ -59,4 +57,4 @@ def _has_bays(region: Region, labels: frozenset[str]) -> bool:
 
 def _houses(region: Region) -> bool:
     """Tell whether the columns are houses side by side, not bays: one of them has floors of its own."""
-    return any(sum("Floor" in row.labels for row in house.children) > 1 for house in region.children)
+    return any(sum(FLOOR in row.labels for row in house.children) > 1 for house in region.children)

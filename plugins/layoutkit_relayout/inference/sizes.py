@@ -9,16 +9,9 @@ from layoutkit.constraints.defaults import divided
 from layoutkit.constraints.size import axis_of
 from layoutkit.model import Facade, Measure, Region, RegionSet
 from layoutkit_relayout.inference.freedom import Freedom, Span
-from layoutkit_relayout.inference.lockstep import BAY, locksteps
+from layoutkit_relayout.inference.labels import BANDS, BAY, FLOOR, HARD, PIER, ROOMS, WALLS
+from layoutkit_relayout.inference.lockstep import locksteps
 
-#: Labels of space that may be stretched; of rooms for other things; and of bands, which run along a facade.
-WALLS = frozenset({"Wall", "Pier", "Background", "Sky", "Roof"})
-#: Labels of elements that look wrong when they are stretched.
-HARD = frozenset({"Window", "Door", "Shop", "Blind", "Balcony", "Deco", "Pillar"})
-#: Labels of what runs along a facade, at any length.
-BANDS = frozenset({"Cornice", "Molding"})
-FLOOR, PIER = "Floor", "Pier"
-ROOMS = frozenset({"Facade", "Building", FLOOR})
 #: A column that takes more than this share of the facade's width grows with it.
 _WIDE = 0.3
 

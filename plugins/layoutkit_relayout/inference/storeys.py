@@ -10,12 +10,8 @@ from layoutkit.constraints import Sequence
 from layoutkit.constraints.generators import sequences
 from layoutkit.model import Facade, Region, RegionSet, Word
 from layoutkit_relayout.inference.freedom import Freedom
+from layoutkit_relayout.inference.labels import FLOOR, GROUNDED, OUTSIDE
 from layoutkit_relayout.inference.lockstep import locksteps
-
-#: Labels of what belongs on the ground: a floor that has it stays where it is.
-GROUNDED = frozenset({"Door", "Shop"})
-#: Labels of what is not the house: a floor that has it is at its edge, and stays too.
-OUTSIDE = frozenset({"Background", "Sky"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +51,7 @@ def storeys(facade: Facade, freedom: Freedom) -> Iterator[Sequence]:
 
 def is_floor(region: Region) -> bool:
     """Tell whether a row is a floor."""
-    return "Floor" in region.labels
+    return FLOOR in region.labels
 
 
 def _read(region: Region) -> Storeys:
