@@ -62,13 +62,12 @@ class Solution:
 
     Attributes
     ----------
-    conflict
-        For an infeasible problem, row numbers that cannot hold together, if the backend knows them.
+    x
+        The point; None where there is none.
     """
 
     status: Literal["solved", "infeasible", "unknown"]
     x: Floats | None = None
-    conflict: tuple[int, ...] = ()
 
 
 class Backend(ABC):
