@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from layoutkit.constraints.defaults import effective_constraints, replicated
+from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.view import LayoutView
 from layoutkit.model import Facade, Layout, PlacedRegion, Region, Violation, place
 from layoutkit.model.region import TILING_TOLERANCE
@@ -16,8 +16,6 @@ def violations(layout: Layout, facade: Facade) -> tuple[Violation, ...]:
     broken = [*_tree_faults(view)]
     for constraint in effective_constraints(facade):
         broken += constraint.violations(view)
-    for path in replicated(facade):
-        broken += _word_faults(path, view)
     return tuple(broken)
 
 
@@ -49,13 +47,6 @@ def _region_faults(placed: PlacedRegion, facade: Facade) -> Iterator[Violation]:
     gap = max(abs(sum(along) - size) / size, *(abs(a - other) / other for a in across))
     if gap > TILING_TOLERANCE or min(along) <= 0:
         yield Violation(None, placed.path, "its children do not tile it", gap * size)
-
-
-def _word_faults(path: str, view: LayoutView) -> Iterator[Violation]:
-    for placed in view.places(path):
-        if placed.region.word != view.facade.regions[path].word:
-            word = " ".join(placed.region.word)
-            yield Violation(None, placed.path, f"has no sequence, and yet another arrangement: {word!r}", 1.0)
 
 
 def _replica_faults(path: str, view: LayoutView) -> Iterator[Violation]:

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Sequence as ListOf
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.sequence import Sequence
 from layoutkit.constraints.size import Size, axis_of
-from layoutkit.model import Facade, Measure, Region, RegionSet
+from layoutkit.constraints.view import LayoutView
+from layoutkit.constraints.word_rules import Admits, Exactly, WordRule
+from layoutkit.model import Facade, Measure, Region, RegionSet, Violation
 from layoutkit.sizing.arrangement import AXIS
+
+if TYPE_CHECKING:
+    from typing import Self
 
 #: A region without a size constraint keeps to these shares of its input size (Bao et al. 2013, section 5.1:
 #: "bounds at a fixed fraction from the center").
@@ -22,6 +29,38 @@ _UNDIVIDED = Size(
 )
 #: If something inside divides it, its size comes from there; but not every word need have that inside.
 _DIVIDED = Size(of=RegionSet("default"), deviation=Measure(1.0, relative=True), comment="default size")
+
+
+@dataclass(frozen=True, kw_only=True)
+class InputWord(Constraint):
+    """A region that no sequence speaks of keeps the input's word (Bao et al. 2013, section 5.2, replication).
+
+    No document says so: it holds by default.
+    """
+
+    kind: ClassVar[str] = "input-word"
+    summary: ClassVar[str] = "A region without sequences keeps the input's arrangement."
+
+    path: str
+
+    def __str__(self) -> str:
+        return f"{self.path} has no sequence: it keeps the input's arrangement"
+
+    @classmethod
+    def word_rules(cls, constraints: ListOf[Self], facade: Facade) -> Iterator[WordRule]:
+        """Yield the one word of each region."""
+        for constraint in constraints:
+            word = Exactly(facade.regions[constraint.path].word)
+            yield Admits(constraint.path, word, (constraint,))
+
+    def violations(self, view: LayoutView) -> Iterator[Violation]:
+        """Yield every region with another word."""
+        for placed in view.places(self.path):
+            if placed.region.word != view.facade.regions[self.path].word:
+                word = " ".join(placed.region.word)
+                yield Violation(
+                    self, placed.path, f"has no sequence, and yet another arrangement: {word!r}", 1.0
+                )
 
 
 def default_sizes(facade: Facade) -> tuple[Size, ...]:
@@ -46,12 +85,14 @@ def divided(region: Region, axis: int) -> bool:
     return AXIS[region.split] == axis or any(divided(child, axis) for child in region.children)
 
 
+def default_words(facade: Facade) -> tuple[InputWord, ...]:
+    """Return what keeps the words of the composite regions that no sequence speaks of."""
+    spoken = {path for c in facade.constraints if isinstance(c, Sequence) for path in c.within}
+    return tuple(
+        InputWord(path=path) for path, region in facade.regions.items() if region.split and path not in spoken
+    )
+
+
 def effective_constraints(facade: Facade) -> tuple[Constraint, ...]:
     """Return the facade's constraints, and those that hold by default."""
-    return (*facade.constraints, *default_sizes(facade))
-
-
-def replicated(facade: Facade) -> Iterator[str]:
-    """Yield the composite regions that no sequence speaks of: they keep the input's word."""
-    spoken = {path for c in facade.constraints if isinstance(c, Sequence) for path in c.within}
-    yield from (path for path, region in facade.regions.items() if region.split and path not in spoken)
+    return (*facade.constraints, *default_sizes(facade), *default_words(facade))

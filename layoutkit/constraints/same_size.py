@@ -97,9 +97,8 @@ class SameSize(Constraint):
             if extent.word is None:
                 yield arrangement.extent(path, self.axis)
             elif path in arrangement.words:
-                cuts = arrangement.frames[path].cuts
                 for start, end in occurrences(extent.word, facade.regions[path], arrangement.words[path]):
-                    yield {cuts[end]: 1.0, cuts[start]: -1.0}
+                    yield arrangement.run(path, start, end)
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every extent that differs from the first in its scope."""

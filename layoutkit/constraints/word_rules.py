@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -27,6 +27,42 @@ class Automaton(Protocol):
     def accepts(self, state: State) -> bool:
         """Tell whether the word may end in `state`."""
         ...
+
+
+class Exactly:
+    """Accepts one word only: the input's, where no sequence speaks of a region."""
+
+    def __init__(self, word: Sequence[str]) -> None:
+        self.word = tuple(word)
+
+    def start(self) -> int:
+        """Return how many symbols are read: none."""
+        return 0
+
+    def step(self, state: int, symbol: str) -> int | None:
+        """Return the next position, if the symbol is the word's."""
+        fits = state < len(self.word) and self.word[state] == symbol
+        return state + 1 if fits else None
+
+    def accepts(self, state: int) -> bool:
+        """Tell whether the word is read whole."""
+        return state == len(self.word)
+
+
+class Anything:
+    """Accepts every word but the empty one."""
+
+    def start(self) -> bool:
+        """Return that nothing is read."""
+        return False
+
+    def step(self, state: bool, symbol: str) -> bool:
+        """Return that something is read."""
+        return True
+
+    def accepts(self, state: bool) -> bool:
+        """Tell whether something is read."""
+        return state
 
 
 @dataclass(frozen=True)
@@ -71,6 +107,37 @@ class Agree:
     origin: tuple[Constraint, ...]
 
 
+@dataclass(frozen=True)
+class Mirrored:
+    """The words of the region at `path` read the same backwards, each symbol exchanged for its partner.
+
+    Attributes
+    ----------
+    partners
+        The partner of every symbol, its own for most.
+    """
+
+    path: str
+    partners: Mapping[str, str]
+    origin: tuple[Constraint, ...]
+
+
+@dataclass(frozen=True)
+class Variants:
+    """The occurrences of the region at `path` in one parent may be laid out in different ways.
+
+    Attributes
+    ----------
+    least, most
+        How many different ways, inclusive, given the parent's size along its split over its input size.
+    """
+
+    path: str
+    least: Bound
+    most: Bound
+    origin: tuple[Constraint, ...]
+
+
 @dataclass(frozen=True, slots=True)
 class Bound:
     """An end of a range of counts; a relative one grows with the region's size over its input size."""
@@ -83,4 +150,4 @@ class Bound:
         return self.value * growth if self.relative else self.value
 
 
-WordRule = Admits | Counts | Agree
+WordRule = Admits | Counts | Agree | Mirrored | Variants

@@ -161,6 +161,11 @@ class Arrangement:
         start, end = self.frames[path].ends[axis]
         return {end: 1.0, start: -1.0}
 
+    def run(self, path: str, start: int, end: int) -> Form:
+        """Return the extent of the children from `start` to before `end` of the symbol, along its split."""
+        cuts = self.frames[path].cuts
+        return {cuts[end]: 1.0, cuts[start]: -1.0}
+
 
 def add(first: Form, second: Form, factor: float = 1.0) -> Form:
     """Return first + factor · second, without the lines that cancel."""

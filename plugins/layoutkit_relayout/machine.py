@@ -22,26 +22,6 @@ class TooManyStates(Exception):  # noqa: N818 - names the fact
     """The automata of a region have too many states together."""
 
 
-class Exactly:
-    """Accepts one word only: the input's, where no sequence speaks of a region."""
-
-    def __init__(self, word: Sequence[str]) -> None:
-        self.word = tuple(word)
-
-    def start(self) -> int:
-        """Return how many symbols are read: none."""
-        return 0
-
-    def step(self, state: int, symbol: str) -> int | None:
-        """Return the next position, if the symbol is the word's."""
-        fits = state < len(self.word) and self.word[state] == symbol
-        return state + 1 if fits else None
-
-    def accepts(self, state: int) -> bool:
-        """Tell whether the word is read whole."""
-        return state == len(self.word)
-
-
 class Counting:
     """Accepts words in which counted regions occur `least` to `most` times.
 

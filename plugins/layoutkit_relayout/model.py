@@ -14,10 +14,18 @@ from numpy.typing import NDArray
 from layoutkit.constraints import Constraint, Size
 from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.size import axis_of, input_size
-from layoutkit.constraints.word_rules import Admits, Agree, Automaton, Counts, WordRule
+from layoutkit.constraints.word_rules import (
+    Admits,
+    Agree,
+    Anything,
+    Automaton,
+    Counts,
+    Exactly,
+    WordRule,
+)
 from layoutkit.model import Facade
 from layoutkit.sizing.arrangement import AXIS
-from layoutkit_relayout.machine import Exactly, Machine, build, chain
+from layoutkit_relayout.machine import Machine, build, chain
 
 Interval = tuple[float, float]
 Floats = NDArray[np.float64]
@@ -64,9 +72,7 @@ class WordGroup:
         key = tuple((id(automaton), tuple(symbols.items())) for automaton, symbols in automata)
         if key not in self._machines:
             first, symbols = automata[0]
-            if len(automata) == 1 and isinstance(
-                first, Exactly
-            ):  # most regions: no need to look for the word
+            if len(automata) == 1 and isinstance(first, Exactly):  # most regions: there is nothing to search
                 own = {symbol: letter for letter, symbol in symbols.items()}
                 self._machines[key] = chain(self.letters, [own[s] for s in first.word])
             else:
@@ -97,6 +103,11 @@ class WordGroup:
 class Model:
     """What the search needs to know of a facade; made once, used for every variation.
 
+    Parameters
+    ----------
+    constraints
+        What has to hold, instead of the facade's own and those that hold by default.
+
     Attributes
     ----------
     constraints
@@ -107,9 +118,9 @@ class Model:
         The frequency rules.
     """
 
-    def __init__(self, facade: Facade) -> None:
+    def __init__(self, facade: Facade, constraints: Sequence[Constraint] | None = None) -> None:
         self.facade = facade
-        self.constraints = effective_constraints(facade)
+        self.constraints = effective_constraints(facade) if constraints is None else tuple(constraints)
         rules = word_rules(facade, self.constraints)
         self.counts = tuple(rule for rule in rules if isinstance(rule, Counts))
         self.groups = tuple(_groups(facade, rules))
@@ -296,7 +307,7 @@ def _groups(facade: Facade, rules: Sequence[WordRule]) -> list[WordGroup]:
     composites = [path for path, region in facade.regions.items() if region.split is not None]
     for path in composites:
         if path not in admitted:
-            admitted[path].append(Exactly(facade.regions[path].word))
+            admitted[path].append(Anything())
     leader = {path: path for path in composites}
     letters = {path: {c.symbol: c.symbol for c in facade.regions[path].children} for path in composites}
     for rule in rules:

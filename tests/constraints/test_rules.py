@@ -8,7 +8,7 @@ import pytest
 from houses import house
 
 from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement, SameSize, Sequence, Size
-from layoutkit.constraints.defaults import default_sizes, effective_constraints, replicated
+from layoutkit.constraints.defaults import default_sizes, default_words, effective_constraints
 from layoutkit.constraints.word_rules import Admits, Agree, Bound, Counts
 from layoutkit.model import Extent, Measure, RegionSet, Word
 from layoutkit.sizing.arrangement import Arrangement
@@ -164,10 +164,10 @@ def test_default_sizes_are_of_what_nothing_divides() -> None:
     given = house(Size(of=regions("@Pier | H/F")))
     assert {str(c.of) for c in default_sizes(given)} == {"H/C", "H/G", "H/F/B", "H/G/B"}
     assert effective_constraints(given)[0] is given.constraints[0]
-    assert len(effective_constraints(given)) == 5
+    assert len(effective_constraints(given)) == 5 + len(default_words(given))
 
 
 def test_regions_without_sequences_are_replicated() -> None:
-    assert list(replicated(house())) == ["H", "H/F", "H/G"]
+    assert [c.path for c in default_words(house())] == ["H", "H/F", "H/G"]
     freed = house(Sequence(within=("H/G",), word=Word.parse("⊢ P ⊣")))
-    assert list(replicated(freed)) == ["H", "H/F"]
+    assert [c.path for c in default_words(freed)] == ["H", "H/F"]

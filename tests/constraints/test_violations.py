@@ -8,6 +8,7 @@ import pytest
 from houses import broken, floor, house, laid_out, stacked, with_rows
 
 from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement, SameSize, Sequence, Size
+from layoutkit.constraints.defaults import InputWord
 from layoutkit.model import Extent, Facade, Measure, Region, RegionSet, Word
 
 
@@ -89,7 +90,7 @@ def test_without_sequences_the_input_s_word_holds() -> None:
     facade = house()
     found = [v for v in laid_out(facade, upper("PBP")).violations() if "arrangement" in v.message]
     assert [v.path for v in found] == ["H/F", "H/F.2", "H/G"]
-    assert {v.constraint for v in found} == {None}
+    assert {v.constraint for v in found} == {InputWord(path="H/F"), InputWord(path="H/G")}
 
 
 def test_counts_out_of_their_range() -> None:
