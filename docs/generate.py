@@ -35,6 +35,10 @@ TYPES = {
         "symbols, `@labels` and sets in braces, such as `{A @Door}`, of direct subregions; `|-` or `⊢` first "
         "for the start, `-|` or `⊣` last for the end"
     ),
+    "context": "a word of what stands beside; or only its end of the encompassing region, `|-` or `-|`",
+    "pairs": "pairs of symbols of direct subregions, separated by spaces, such as `E:K L:R`",
+    "weight": "a number above 0",
+    "bias": "a number from -1 to 1",
     "path": "the path of a region, such as `Facade/Floor`",
     "paths": "paths, separated by spaces",
 }

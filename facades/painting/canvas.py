@@ -16,6 +16,9 @@ from layoutkit.pictures.grid import PixelGrid
 #: The picture is painted so many times larger than it is kept.
 OVERSAMPLING = 3
 
+#: Designs that take no clouds of light and shade: what they are made of is uneven enough.
+_PLAIN_LIGHT = frozenset({"carpet", "garden"})
+
 #: Kept colours per channel: the others would only make the file larger.
 _LEVELS = 64
 
@@ -39,7 +42,8 @@ def paint(facade: Facade) -> Image.Image:
             tile = Tile(Image.new("RGB", (x1 - x0, y1 - y0)), grid.scale[0], (x0, y0), rng)
             painter_of(placed.symbol_path, DESIGNS[facade.name])(tile)
             canvas.paste(tile.image, (x0, y0))
-    mottle(canvas, np.random.default_rng(zlib.crc32(facade.name.encode())), 60.0 * OVERSAMPLING, 0.05)
+    if facade.name not in _PLAIN_LIGHT:
+        mottle(canvas, np.random.default_rng(zlib.crc32(facade.name.encode())), 60.0 * OVERSAMPLING, 0.05)
     small = canvas.resize((size[0] // OVERSAMPLING, size[1] // OVERSAMPLING), Image.Resampling.BOX)
     step = 256 // _LEVELS
     return small.point([min(255, round(v / step) * step) for v in range(256)] * 3)

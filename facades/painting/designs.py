@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from facades.painting.carpet import carpet
 from facades.painting.mouldings import (
     balustrade,
     cornice,
@@ -209,4 +210,5 @@ DESIGNS: Mapping[str, Design] = {
     "arcade": _arcade(),
     "townhouse": _townhouse(),
     "palace": _palace(),
+    "carpet": carpet(),
 }

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from bisect import bisect_left
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from layoutkit.constraints.attributes import PATH, REGIONS, attribute, choices
+from layoutkit.constraints.attributes import CONTEXT, ENCLOSING, REGIONS, attribute, choices
 from layoutkit.constraints.constraint import Constraint
+from layoutkit.constraints.contexts import Context, parents_of
 from layoutkit.constraints.references import unknown_names, unknown_path
 from layoutkit.constraints.view import LayoutView
 from layoutkit.diagnostics import Diagnostic
-from layoutkit.model import Facade, PlacedRegion, RegionSet, Violation
+from layoutkit.model import Facade, PlacedRegion, RegionSet, Violation, Word
 from layoutkit.sizing.arrangement import Arrangement, Slot
 from layoutkit.sizing.rules import Aligned, SizeRule
+
+Interval = tuple[float, float]
 
 #: Each line's axis, and its share of the extent in reading direction: right, or down.
 LINES: Mapping[str, tuple[int, float]] = {
@@ -33,7 +38,7 @@ class Alignment(Constraint):
     kind: ClassVar[str] = "alignment"
     summary: ClassVar[str] = (
         "Wherever a region of the first set and one of the second overlap along the lines' axis, these lines "
-        "of the two coincide."
+        "of the two coincide. With a context, only regions between such neighbours are asked."
     )
 
     first: RegionSet = attribute(REGIONS, "The first regions, as paths and @labels.")
@@ -42,18 +47,33 @@ class Alignment(Constraint):
         choices("lines", *LINES), "left, center, right (of columns), or top, middle, bottom (of rows)."
     )
     within: str | None = attribute(
-        PATH, "Path of an encompassing region: only pairs inside the same one align.", None
+        ENCLOSING, "Path of an encompassing region: only pairs inside the same one align.", None
     )
+    first_before: Word | None = attribute(
+        CONTEXT, "What stands directly before the first region in its parent, down to the start itself.", None
+    )
+    first_after: Word | None = attribute(CONTEXT, "What stands directly after it.", None)
+    second_before: Word | None = attribute(CONTEXT, "What stands directly before the second region.", None)
+    second_after: Word | None = attribute(CONTEXT, "What stands directly after it.", None)
 
     @property
     def axis(self) -> int:
         """0 if the lines are upright, 1 if they are level."""
         return LINES[self.lines[0]][0]
 
+    @property
+    def _sides(self) -> tuple[tuple[RegionSet, Context], ...]:
+        """Both sets with their contexts."""
+        return (
+            (self.first, Context(self.first_before, self.first_after)),
+            (self.second, Context(self.second_before, self.second_after)),
+        )
+
     def faults(self, facade: Facade) -> Iterator[Diagnostic]:
-        """Yield unknown names, and lines of two axes."""
-        for regions in (self.first, self.second):
-            yield from unknown_names(self, regions, facade)
+        """Yield unknown names, lines of two axes, and contexts that mean nothing."""
+        for regions, context in self._sides:
+            unknown = list(unknown_names(self, regions, facade))
+            yield from unknown or context.faults(self, parents_of(facade.select(regions)), facade)
         if self.within is not None:
             yield from unknown_path(self, self.within, facade)
         if len({LINES[line][0] for line in self.lines}) > 1:
@@ -73,8 +93,8 @@ class Alignment(Constraint):
         """Yield the pairs that may have to align, scope by scope."""
         facade = arrangement.facade
         first, second = (
-            [slot for path in facade.select(regions) for slot in arrangement.slots(path, self.axis)]
-            for regions in (self.first, self.second)
+            [slot for path in facade.select(regions) for slot in context.slots(arrangement, path, self.axis)]
+            for regions, context in self._sides
         )
         shares = tuple(LINES[line][1] for line in self.lines)
         scopes: tuple[Slot | None, ...] = (None,)
@@ -89,27 +109,57 @@ class Alignment(Constraint):
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every pair that overlaps along the axis and is out of line."""
-        first, second = (
-            [p for path in view.facade.select(regions) for p in view.places(path)]
-            for regions in (self.first, self.second)
-        )
-        scopes = [""] if self.within is None else [f"{p.path}/" for p in view.places(self.within)]
+        first = self._placed(self.first, self.first_before, self.first_after, view)
+        second = self._placed(self.second, self.second_before, self.second_after, view)
         seen = set()
-        for scope in scopes:
-            for one in (p for p in first if p.path.startswith(scope)):
-                for other in (p for p in second if p.path.startswith(scope)):
-                    pair = frozenset((one.path, other.path))
-                    if len(pair) == 2 and pair not in seen:
-                        seen.add(pair)
-                        yield from self._misaligned(one, other, view)
+        for scope, own in first.items():
+            for one, other, gaps in self._out_of_line(own, second.get(scope, []), view):
+                if (pair := frozenset((one.path, other.path))) not in seen:
+                    seen.add(pair)
+                    for line, gap in gaps.items():
+                        shown = f"its {line} is {gap:g} off that of {other.path}"
+                        yield Violation(self, one.path, shown, gap)
 
-    def _misaligned(self, one: PlacedRegion, other: PlacedRegion, view: LayoutView) -> Iterator[Violation]:
-        start, end = view.interval(one.box, self.axis)
-        other_start, other_end = view.interval(other.box, self.axis)
-        if min(end, other_end) - max(start, other_start) <= view.tolerance:
-            return
-        for line in self.lines:
-            share = LINES[line][1]
-            gap = abs(start + share * (end - start) - other_start - share * (other_end - other_start))
-            if gap > view.tolerance:
-                yield Violation(self, one.path, f"its {line} is {gap:g} off that of {other.path}", gap)
+    def _placed(
+        self, regions: RegionSet, before: Word | None, after: Word | None, view: LayoutView
+    ) -> Mapping[str, list[PlacedRegion]]:
+        """Return the regions that are asked, by the encompassing region that they stand in."""
+        placed = (p for path in view.facade.select(regions) for p in view.places(path))
+        return view.grouped((p for p in placed if view.stands(p, before, after)), self.within)
+
+    def _out_of_line(
+        self, first: Iterable[PlacedRegion], second: Iterable[PlacedRegion], view: LayoutView
+    ) -> Iterator[tuple[PlacedRegion, PlacedRegion, Mapping[str, float]]]:
+        """Yield each pair out of line, with the gaps by line.
+
+        Regions in line share their intervals, however many they are: these are compared, not all pairs.
+        """
+        own, others = self._by_interval(first, view), self._by_interval(second, view)
+        ordered = sorted(others)
+        starts = [start for start, _ in ordered]
+        longest = max((end - start for start, end in ordered), default=0.0)
+        for interval, regions in own.items():
+            start, end = interval
+            for other in ordered[bisect_left(starts, start - longest) : bisect_left(starts, end)]:
+                overlap = min(end, other[1]) - max(start, other[0])
+                gaps = self._gaps(interval, other, view.tolerance)
+                if overlap > view.tolerance and gaps:
+                    yield from ((one, two, gaps) for one in regions for two in others[other])
+
+    def _by_interval(
+        self, regions: Iterable[PlacedRegion], view: LayoutView
+    ) -> Mapping[Interval, list[PlacedRegion]]:
+        found: defaultdict[Interval, list[PlacedRegion]] = defaultdict(list)
+        for placed in regions:
+            found[view.interval(placed.box, self.axis)].append(placed)
+        return found
+
+    def _gaps(self, one: Interval, other: Interval, tolerance: float) -> Mapping[str, float]:
+        """Return how far the lines of two intervals are apart, where that is more than the tolerance."""
+        shares = {line: LINES[line][1] for line in self.lines}
+        gaps = {line: abs(_at(one, share) - _at(other, share)) for line, share in shares.items()}
+        return {line: gap for line, gap in gaps.items() if gap > tolerance}
+
+
+def _at(interval: Interval, share: float) -> float:
+    return interval[0] + share * (interval[1] - interval[0])

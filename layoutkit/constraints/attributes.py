@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable
 from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any
 
 from layoutkit.model import Extent, Measure, RegionSet, Word
+from layoutkit.model.measure import format_number
+from layoutkit.model.selection import SYMBOL
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,12 +85,65 @@ def _paths(text: str) -> tuple[str, ...]:
     return found
 
 
+def _path(text: str) -> str:
+    found = _paths(text)
+    if len(found) > 1:
+        raise ValueError(f"one path is expected, not {len(found)}, in {text!r}")
+    return found[0]
+
+
+def _weight(text: str) -> float:
+    value = _finite(text)
+    if value <= 0:
+        raise ValueError(f"{text!r} is not above 0")
+    return value
+
+
+def _bias(text: str) -> float:
+    value = _finite(text)
+    if not -1 <= value <= 1:
+        raise ValueError(f"{text!r} is not between -1 and 1")
+    return value
+
+
+def _finite(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise ValueError(f"{text!r} is not a finite number")
+    return value
+
+
+def _pairs(text: str) -> tuple[tuple[str, str], ...]:
+    found = []
+    for part in text.split():
+        pair = re.fullmatch(rf"({SYMBOL}):({SYMBOL})", part)
+        if pair is None:
+            raise ValueError(f"{part!r} is not a pair of symbols such as E:K")
+        found.append((pair[1], pair[2]))
+    return tuple(found)
+
+
+def _paired(pairs: tuple[tuple[str, str], ...]) -> str:
+    return " ".join(f"{one}:{other}" for one, other in pairs)
+
+
 MEASURE = AttributeType("measure", Measure.parse, pattern=r"\s*[0-9.]+([eE][+\-]?[0-9]+)?\s*%?\s*")
 COUNT = AttributeType("count", _count, pattern=r"[0-9]+")
 REGIONS = AttributeType("regions", RegionSet.parse)
+#: A set in the context of the attribute `within`, whose direct subregions its single symbols mean.
+MEMBERS = AttributeType("members", RegionSet.parse)
 EXTENT = AttributeType("extent", Extent.parse)
 WORD = AttributeType("word", Word.parse)
-PATH = AttributeType("path", lambda text: _paths(text)[0])
+CONTEXT = AttributeType("context", Word.context)
+PAIRS = AttributeType("pairs", _pairs, _paired)
+WEIGHT = AttributeType("weight", _weight, format_number, r"\s*\+?[0-9.]+([eE][+\-]?[0-9]+)?\s*")
+BIAS = AttributeType("bias", _bias, format_number, r"\s*[+\-]?[0-9.]+([eE][+\-]?[0-9]+)?\s*")
+PATH = AttributeType("path", _path)
+#: A path that only says where a constraint holds: its regions on several faces may count as one.
+ENCLOSING = AttributeType("enclosing path", _path)
 PATHS = AttributeType("paths", _paths, " ".join)
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.constraints.attributes import Attribute, attributes_of
+from layoutkit.constraints.attributes import WEIGHT, Attribute, attribute, attributes_of, choice
 from layoutkit.diagnostics import Diagnostic, Place
 from layoutkit.model import Facade, Violation
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Constraint:
-    """Something that every variation of a facade must keep.
+    """Something that every variation of a facade keeps: must keep, where it is hard.
 
     Attributes
     ----------
@@ -37,6 +37,12 @@ class Constraint:
         What it demands, in one sentence, for the reference and the schema.
     place
         Where in its document it stands.
+    scope
+        On a building: whether it holds within each face, or across all (Bao et al. 2013, section 9.1).
+    weight
+        None for a hard constraint. A soft one is kept unless it cannot be kept together with the hard ones
+        and with the soft ones of greater weight; of those that weigh alike, earlier ones in the document go
+        first.
     comment
         Why it is there; written above it.
     """
@@ -44,13 +50,30 @@ class Constraint:
     kind: ClassVar[str]
     summary: ClassVar[str]
 
+    scope: str = attribute(
+        choice("scope", "face", "building"),
+        "On a building with several faces: whether it holds within each face, or across all of them.",
+        "face",
+    )
+    weight: float | None = attribute(
+        WEIGHT,
+        "Left out, the constraint is hard. A soft one is kept unless it cannot be kept together with the "
+        "hard ones and with the soft ones of greater weight (ties: document order).",
+        None,
+    )
     place: Place | None = field(default=None, compare=False, repr=False)
     comment: str = field(default="", compare=False, repr=False)
 
     @classmethod
     def attributes(cls) -> tuple[Attribute, ...]:
-        """Return the declared attributes, in order."""
-        return attributes_of(cls)
+        """Return the declared attributes, in order; those that all kinds have come last."""
+        shared = {a.field_name for a in attributes_of(Constraint)}
+        return tuple(sorted(attributes_of(cls), key=lambda a: a.field_name in shared))
+
+    @property
+    def soft(self) -> bool:
+        """Whether a variation may break it where it cannot be kept."""
+        return self.weight is not None
 
     def __str__(self) -> str:
         values = ((a.name, getattr(self, a.field_name), a) for a in self.attributes())

@@ -1,4 +1,4 @@
-"""What holds where no constraint says otherwise: default sizes, and the input's words."""
+"""What holds where no hard constraint says otherwise: default sizes, the input's words."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.constraint import Constraint
-from layoutkit.constraints.sequence import Sequence
+from layoutkit.constraints.expansion import expanded, sequences_of
+from layoutkit.constraints.instances import Instances
 from layoutkit.constraints.size import Size, axis_of
 from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Admits, Exactly, WordRule
@@ -27,8 +28,9 @@ _UNDIVIDED = Size(
     deviation=Measure(0.1, relative=True),
     comment="default size",
 )
-#: If something inside divides it, its size comes from there; but not every word need have that inside.
-_DIVIDED = Size(of=RegionSet("default"), deviation=Measure(1.0, relative=True), comment="default size")
+#: If something inside divides it, its size comes from there; but not every word need have that inside. If a
+#: soft constraint speaks of its size, the default takes its side: it does not forbid what that one asks for.
+_FREE = Size(of=RegionSet("default"), deviation=Measure(1.0, relative=True), comment="default size")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,17 +66,23 @@ class InputWord(Constraint):
 
 
 def default_sizes(facade: Facade) -> tuple[Size, ...]:
-    """Return a size constraint for every region that has none.
+    """Return a size constraint for every region that has no hard one.
 
     One that nothing inside divides keeps between half and twice its input size: such are all terminals, and a
     bay of rows in a floor of columns. A floor's height, on the other hand, comes from what is inside: it is
-    only drawn weakly to its input size.
+    only drawn weakly to its input size. A building's faces have the sizes that its mass gives them.
     """
-    sized = {path for c in facade.constraints if isinstance(c, Size) for path in facade.select(c.of)}
+    sizes = [c for c in facade.constraints if isinstance(c, Size)]
+    hard = {path for c in sizes if not c.soft for path in facade.select(c.of)}
+    soft = {path for c in sizes if c.soft for path in facade.select(c.of)}
+
+    def default(path: str, region: Region) -> Size:
+        return _FREE if path in soft or divided(region, axis_of(facade, path)) else _UNDIVIDED
+
     return tuple(
-        replace(_DIVIDED if divided(region, axis_of(facade, path)) else _UNDIVIDED, of=RegionSet(path))
+        replace(default(path, region), of=RegionSet(path))
         for path, region in facade.regions.items()
-        if "/" in path and path not in sized
+        if "/" in path and path not in hard and path not in facade.faces
     )
 
 
@@ -87,12 +95,31 @@ def divided(region: Region, axis: int) -> bool:
 
 def default_words(facade: Facade) -> tuple[InputWord, ...]:
     """Return what keeps the words of the composite regions that no sequence speaks of."""
-    spoken = {path for c in facade.constraints if isinstance(c, Sequence) for path in c.within}
+    spoken = sequences_of(facade)
     return tuple(
         InputWord(path=path) for path, region in facade.regions.items() if region.split and path not in spoken
     )
 
 
+def default_instances(facade: Facade) -> tuple[Instances, ...]:
+    """Return the permission to vary each region of whose instances only soft constraints speak.
+
+    A range that cannot be kept does not turn the region's occurrences into replicas.
+    """
+    spoken = [c for c in facade.constraints if isinstance(c, Instances)]
+    hard = {path for c in spoken if not c.soft for path in c.paths(facade)}
+    soft = dict.fromkeys(path for c in spoken if c.soft for path in c.paths(facade))
+    return tuple(Instances(of=RegionSet(path)) for path in soft if path not in hard)
+
+
 def effective_constraints(facade: Facade) -> tuple[Constraint, ...]:
-    """Return the facade's constraints, and those that hold by default."""
-    return (*facade.constraints, *default_sizes(facade), *default_words(facade))
+    """Return the facade's constraints, hard and soft, and those that hold by default, which are hard.
+
+    Generators are replaced by their sequences.
+    """
+    return (
+        *expanded(facade),
+        *default_sizes(facade),
+        *default_words(facade),
+        *default_instances(facade),
+    )

@@ -8,7 +8,7 @@ from collections.abc import Sequence as ListOf
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.constraints.attributes import MEASURE, PATH, REGIONS, attribute
+from layoutkit.constraints.attributes import ENCLOSING, MEASURE, MEMBERS, attribute
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.references import unknown_composite, unknown_names
 from layoutkit.constraints.view import LayoutView
@@ -32,8 +32,8 @@ class Frequency(Constraint):
         "subregions, labels any placed region inside it."
     )
 
-    of: RegionSet = attribute(REGIONS, "The regions that count: symbols of direct subregions, and @labels.")
-    within: str = attribute(PATH, "Path of the encompassing region.")
+    of: RegionSet = attribute(MEMBERS, "The regions that count: symbols of direct subregions, and @labels.")
+    within: str = attribute(ENCLOSING, "Path of the encompassing region.")
     min: Measure | None = attribute(
         MEASURE, "Least count; a percentage is of the input's count, and grows with the region's size.", None
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.diagnostics import Diagnostic, did_you_mean
@@ -17,6 +17,8 @@ def unknown_names(
         if name.startswith("@"):
             if name[1:] not in facade.labels:
                 yield _unknown(constraint, "label", name[1:], facade.labels)
+        elif name.endswith("/*"):
+            yield from unknown_path(constraint, name.removesuffix("/*"), facade)
         elif within is not None and "/" not in name:
             if f"{within}/{name}" not in facade.regions:
                 children = {child.symbol for child in facade.regions[within].children}
@@ -51,6 +53,29 @@ def unknown_in_word(constraint: Constraint, word: Word, within: str, facade: Fac
     for name in (name for regions in word.sets for name in regions.names()):
         if name not in known:
             yield _unknown(constraint, f"direct subregion of {within}", name, known)
+
+
+def unknown_symbols(
+    constraint: Constraint, symbols: Iterable[str], within: str, facade: Facade
+) -> Iterator[Diagnostic]:
+    """Yield a diagnostic for every symbol that no direct child of `within` has."""
+    known = {child.symbol for child in facade.regions[within].children}
+    for symbol in symbols:
+        if symbol not in known:
+            yield _unknown(constraint, f"symbol in {within}", symbol, known)
+
+
+def unknown_neighbours(
+    constraint: Constraint, word: Word, parents: Collection[str], facade: Facade
+) -> Iterator[Diagnostic]:
+    """Yield a diagnostic for every name in a context that no direct child of any of the parents goes by."""
+    children = [
+        child for path in parents if path in facade.regions for child in facade.regions[path].children
+    ]
+    known = {child.symbol for child in children} | {f"@{name}" for child in children for name in child.labels}
+    for name in (name for regions in word.sets for name in regions.names()):
+        if name not in known:
+            yield _unknown(constraint, "neighbour", name, known)
 
 
 def _unknown(constraint: Constraint, what: str, name: str, known: Iterable[str]) -> Diagnostic:

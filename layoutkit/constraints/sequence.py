@@ -7,7 +7,7 @@ from collections.abc import Sequence as ListOf
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.constraints.attributes import PATHS, WORD, attribute
+from layoutkit.constraints.attributes import PATHS, WEIGHT, WORD, attribute
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.covering import Covering, Piece
 from layoutkit.constraints.references import unknown_composite, unknown_in_word
@@ -22,7 +22,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Sequence(Constraint):
-    """A list of regions that may appear together, in that order, as part of an arrangement."""
+    """A list of regions that may appear together, in that order, as part of an arrangement.
+
+    Attributes
+    ----------
+    weight
+        How likely, against the others, the search goes on with it where several could follow. A sequence is
+        a permission: it is never soft.
+    """
 
     kind: ClassVar[str] = "sequence"
     summary: ClassVar[str] = (
@@ -35,6 +42,17 @@ class Sequence(Constraint):
     word: Word = attribute(
         WORD, "Symbols, @labels and {sets} of direct subregions, with a leading ⊢ or trailing ⊣ for its ends."
     )
+    weight: float = attribute(
+        WEIGHT,
+        "How likely, against the others, the search goes on with it where several could follow. A sequence "
+        "is a permission, never soft.",
+        1.0,
+    )
+
+    @property
+    def soft(self) -> bool:
+        """False: what is permitted is not taken back."""
+        return False
 
     def faults(self, facade: Facade) -> Iterator[Diagnostic]:
         """Yield unknown names."""
@@ -63,15 +81,19 @@ class Sequence(Constraint):
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every arrangement that no chain of the region's sequences covers; the first one reports."""
+        # Expansion makes sequences of generators, and so looks at this module.
+        from layoutkit.constraints.expansion import as_written, sequences_of
+
         for path in self.within:
-            own = [c for c in view.facade.constraints if isinstance(c, Sequence) and path in c.within]
-            if own[0] is not self:
+            own = sequences_of(view.facade).get(path, ())
+            if not own or own[0] is not self:
                 continue
             pieces = [c.piece(view.facade.regions[path]) for c in own]
             for placed in view.places(path):
                 if not covered(placed.region.word, pieces):
                     word = " ".join(placed.region.word)
-                    yield Violation(self, placed.path, f"no chain of its sequences covers {word!r}", 1.0)
+                    message = f"no chain of its sequences covers {word!r}"
+                    yield Violation(as_written(view.facade, self), placed.path, message, 1.0)
 
 
 def covered(word: tuple[str, ...], pieces: ListOf[Piece]) -> bool:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
-from layoutkit.constraints.attributes import MEASURE, REGIONS, attribute
+from layoutkit.constraints.attributes import BIAS, MEASURE, REGIONS, attribute, choice
 from layoutkit.constraints.constraint import Constraint
+from layoutkit.constraints.instances import sizes_of
 from layoutkit.constraints.references import unknown_names
 from layoutkit.constraints.view import LayoutView
 from layoutkit.diagnostics import Diagnostic
@@ -26,23 +28,36 @@ class Size(Constraint):
     kind: ClassVar[str] = "size"
     summary: ClassVar[str] = (
         "The regions' size along their parent's split lies between min and max; variations start from sizes "
-        "drawn from a normal distribution, truncated to that range."
+        "drawn from a distribution over that range."
     )
 
     of: RegionSet = attribute(REGIONS, "The regions, as paths and @labels.")
     min: Measure | None = attribute(MEASURE, "Least size, absolute or as a share of the input's.", None)
     max: Measure | None = attribute(MEASURE, "Greatest size, absolute or as a share of the input's.", None)
-    centre: Measure = attribute(MEASURE, "Mean of the initial sizes.", Measure(1.0, relative=True))
+    centre: Measure = attribute(
+        MEASURE,
+        "Mean of normal initial sizes, the likeliest of triangular ones.",
+        Measure(1.0, relative=True),
+    )
     deviation: Measure = attribute(
         MEASURE,
-        "Standard deviation of the initial sizes; 0 always starts from the centre.",
+        "Standard deviation of normal initial sizes; 0 always starts from the centre.",
         Measure(0.05, True),
+    )
+    distribution: str = attribute(
+        choice("distribution", "normal", "uniform", "triangular"),
+        "Of the initial sizes: normal, truncated to the range; uniform or triangular from min to max.",
+        "normal",
+    )
+    bias: float = attribute(
+        BIAS, "Moves the centre towards min (below 0, down to -1) or max (above 0, up to 1).", 0.0
     )
 
     def faults(self, facade: Facade) -> Iterator[Diagnostic]:
-        """Yield unknown names, and bounds that cross."""
+        """Yield unknown names, bounds that cross, and distributions that lack an end."""
         unknown = list(unknown_names(self, self.of, facade))
         yield from unknown
+        yield from self._undetermined()
         if unknown:
             return
         for path in facade.select(self.of):
@@ -56,21 +71,53 @@ class Size(Constraint):
                     topic="sizing",
                 )
 
+    def _undetermined(self) -> Iterator[Diagnostic]:
+        spread = self.distribution != "normal"
+        missing = [
+            name
+            for name, end, needed in (
+                ("min", self.min, spread or self.bias < 0),
+                ("max", self.max, spread or self.bias > 0),
+            )
+            if needed and end is None
+        ]
+        why = f"a {self.distribution} distribution runs from min to max" if spread else "bias moves to an end"
+        if missing:
+            yield self._unclear(f"{why}, and {' and '.join(missing)} is not given", f"add {missing[0]}")
+        if self.distribution == "uniform" and self.bias:
+            yield self._unclear("a uniform distribution has no centre that a bias could move", "delete bias")
+
+    def _unclear(self, message: str, hint: str) -> Diagnostic:
+        return Diagnostic("LK214", message, self.place, hint, topic="sizing")
+
     def bounds(self, facade: Facade, path: str) -> tuple[float, float]:
         """Return least and greatest size of the region at `path`; a region never vanishes."""
         size = input_size(facade, path)
         least = max(self.min.of(size) if self.min is not None else 0.0, LEAST_SHARE * size)
         return least, self.max.of(size) if self.max is not None else float("inf")
 
+    def shape(self, facade: Facade, path: str) -> tuple[float, float]:
+        """Return centre and standard deviation of a region's initial sizes, truncation aside."""
+        size = input_size(facade, path)
+        least, most = self.bounds(facade, path)
+        if self.distribution == "uniform":
+            return (least + most) / 2, (most - least) / math.sqrt(12)
+        centre = self.centre.of(size)
+        if self.bias:
+            centre += abs(self.bias) * ((most if self.bias > 0 else least) - centre)
+        if self.distribution == "normal":
+            return centre, self.deviation.of(size)
+        centre = min(max(centre, least), most)
+        spans = (centre - least) ** 2 + (most - centre) ** 2 + (most - least) ** 2
+        return centre, math.sqrt(spans / 36)
+
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
-        """Yield a range and a target for each symbol: its occurrences are replicas."""
+        """Yield a range and a target for each symbol: its occurrences are replicas, unless they may vary."""
         for path, axis, (least, most), (centre, deviation) in self._measures(arrangement.facade):
-            if path in arrangement.frames:
-                form = arrangement.extent(path, axis)
-                parent, _, symbol = path.rpartition("/")
-                replicas = arrangement.words[parent].count(symbol) if parent else 1
-                yield Range(axis, form, least, most, self)
-                yield Target(axis, form, centre, deviation, least, most, float(replicas))
+            for form, replicas in sizes_of(arrangement, path, axis):
+                yield Range(axis, form, least, most, self, (path.rpartition("/")[0],))
+                weight = float(replicas)
+                yield Target(axis, form, centre, deviation, least, most, weight, self.distribution)
 
     def _measures(
         self, facade: Facade
@@ -78,15 +125,9 @@ class Size(Constraint):
         """Return path, axis, bounds, centre and deviation of each region."""
         key = (id(self), "measures")
         if key not in facade.memory:
-            sizes = {path: input_size(facade, path) for path in facade.select(self.of)}
             measures = tuple(
-                (
-                    path,
-                    axis_of(facade, path),
-                    self.bounds(facade, path),
-                    (self.centre.of(size), self.deviation.of(size)),
-                )
-                for path, size in sizes.items()
+                (path, axis_of(facade, path), self.bounds(facade, path), self.shape(facade, path))
+                for path in facade.select(self.of)
             )
             facade.memory[key] = self, measures
         found: tuple[tuple[str, int, tuple[float, float], tuple[float, float]], ...] = facade.memory[key][1]
@@ -107,8 +148,8 @@ class Size(Constraint):
 
 
 def axis_of(facade: Facade, path: str) -> int:
-    """Return the axis that the parent of `path` splits (for the root, its own split)."""
-    parent, _, _ = path.rpartition("/")
+    """Return the axis that the parent of `path` splits (for the root, and for a face: its own split)."""
+    parent = "" if path in facade.faces else path.rpartition("/")[0]
     split = facade.regions[parent or path].split
     return AXIS["rows" if split == "rows" else "columns"]
 

@@ -1,7 +1,7 @@
 """The registry of diagnostic codes: what each means, how it comes about, and what to do.
 
 Groups: LK0 files and safety, LK1 structure, LK2 references and constraints, LK3 conversion, LK4 plugins,
-LK5 layouts against facades, LK6 search, LK7 usage, LK9 our own faults. A code keeps its meaning for good;
+LK5 layouts against facades, LK6 search, LK7 usage, LK8 masses and buildings, LK9 our own faults. A code keeps its meaning for good;
 retired ones are not given out again.
 """
 
@@ -281,6 +281,71 @@ _REFERENCES = (
         "right and left, or bottom and top, exchanged: pixels count downwards.",
         "Exchange them.",
     ),
+    Code(
+        "LK214",
+        "initial sizes not determined",
+        "Uniform and triangular distributions run from min to max, and a bias moves a centre towards one of "
+        "them: what they need must be there.",
+        "A bias towards the greatest size, and no max.",
+        "Add what the message names, or delete the attribute.",
+    ),
+    Code(
+        "LK215",
+        "context without meaning",
+        "What stands before a region can end with no ⊣, what stands after it can begin with no ⊢, and a "
+        "context is that of an extent that is there.",
+        "before and after exchanged.",
+        "Exchange them, or delete the one that the message names.",
+    ),
+    Code(
+        "LK216",
+        "instances of the whole facade",
+        "The root stands in no other region, in which it could occur in several ways.",
+        "The path of the root where that of a region inside was meant.",
+        "Name regions inside it.",
+    ),
+    Code(
+        "LK217",
+        "symbol without a partner of its own",
+        "In a symmetry, each symbol has one partner: another one by its pair, or itself without any.",
+        "A symbol that stands in two pairs.",
+        "Delete one of the pairs, or write another symmetry.",
+    ),
+    Code(
+        "LK218",
+        "two anchors on one axis",
+        "A region is held by one point: at most one of left, center, right, and one of top, middle, bottom.",
+        'anchor="left right".',
+        "Choose one; to hold both sides, lock the size as well.",
+    ),
+    Code(
+        "LK220",
+        "pattern that sequences cannot say",
+        "Overlapping sequences see neighbours only: no set of them covers exactly the pattern's arrangements.",
+        "A symbol that stands in several roles, such as piers on both sides of the only door.",
+        "Give the symbol another name in each role, or write a wider pattern, and bound it by a frequency.",
+    ),
+    Code(
+        "LK221",
+        "no sequences to go by",
+        "A reversal or reuse goes by the sequences of a region that has none.",
+        "A region that keeps the input's arrangement, which needs no sequence.",
+        "Add a replication or other sequences for it.",
+    ),
+    Code(
+        "LK222",
+        "regions do not correspond",
+        "Neither the names nor the places of the subregions tell which of two regions stand for each other.",
+        "A pattern reused for a region of another structure.",
+        "Say which symbols correspond, or give them the same names.",
+    ),
+    Code(
+        "LK223",
+        "run that the input lacks",
+        "A replication repeats what the input has, and the input has no such run.",
+        "Symbols in another order.",
+        "Write a run of the input, or a sequence for one that it lacks.",
+    ),
 )
 
 _CONVERSION = (
@@ -457,6 +522,14 @@ _LAYOUTS = (
         "The layout's own file named instead.",
         "Name the facade's document.",
     ),
+    Code(
+        "LK506",
+        "soft constraint not kept",
+        "A soft constraint of the facade does not hold in the layout, which is valid all the same.",
+        "Hard constraints, or soft ones of greater weight, that leave no room for it.",
+        "Nothing is needed; to insist on it, delete its weight, or raise it.",
+        _NOTE,
+    ),
 )
 
 _SEARCH: tuple[Code, ...] = (
@@ -520,6 +593,74 @@ _USAGE: tuple[Code, ...] = (
         "No shipped facade has that name.",
         "A misspelt name.",
         "Correct it; `layoutkit samples` lists them.",
+    ),
+)
+
+_BUILDINGS = (
+    Code(
+        "LK801",
+        "part of a mass without walls",
+        "An outline needs sides that meet at their ends and nowhere else, and a part a height.",
+        "Points in the wrong order, or one given twice; the first one repeated at the end.",
+        "Draw a simple outline; a closed one closes by itself.",
+    ),
+    Code(
+        "LK802",
+        "face partly hidden",
+        "A part of the face is inside other parts of the mass; it is laid out as a whole all the same.",
+        "A tower that rises from inside a podium, and begins at the ground.",
+        "Let it begin where the other part ends, or divide it there; nothing else is needed.",
+        _NOTE,
+    ),
+    Code(
+        "LK803",
+        "faces named alike",
+        "Each face of a mass goes by a name of its own.",
+        "Several parts without names.",
+        "Name them: the faces of the part Tower are Tower_South and so on.",
+    ),
+    Code(
+        "LK804",
+        "no face to be seen",
+        "Every face of the mass is inside one of its parts.",
+        "A part given twice, or one around all others that is not closed.",
+        "Move the parts apart, or delete some.",
+    ),
+    Code(
+        "LK805",
+        "scope without effect",
+        "A constraint of a kind that speaks of one region at a time says the same within faces and across.",
+        'scope="building" on a constraint that names one region.',
+        "Delete the scope.",
+        _WARNING,
+    ),
+    Code(
+        "LK806",
+        "constraint not carried to faces",
+        "Every face is a copy of the facade under its own name; the constraint still names the original.",
+        "A plugin's kind that holds names of regions in an attribute of a type of its own.",
+        "Let its author declare them with the types of `layoutkit.constraints.attributes`.",
+    ),
+    Code(
+        "LK807",
+        "faces not those of the mass",
+        "A building's layout has one region for each face of its mass, in order, and of exactly its size.",
+        "A mass edited in a finished layout.",
+        "Make the layout again: `layoutkit vary FACADE --mass MASS`.",
+    ),
+    Code(
+        "LK808",
+        "facade split into faces",
+        "A facade is one design; only layouts of buildings have faces.",
+        "A region of a layout copied into a facade.",
+        "Keep the region of one face; `layoutkit vary --mass` puts it on all faces of a mass.",
+    ),
+    Code(
+        "LK809",
+        "size asked of a building",
+        "Its faces have the sizes that the mass gives them, and no others.",
+        "--width or --height together with --mass.",
+        "Leave the size away, or change the mass.",
     ),
 )
 

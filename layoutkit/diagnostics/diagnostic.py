@@ -45,6 +45,8 @@ class Diagnostic:
         The part of the job that found it, e.g. ``schema`` or ``sizing``.
     details
         Further lines, shown indented below the message.
+    related
+        Where everything stands that the fault is about, if that is more than one thing.
     hint
         What to do about it; empty if there is nothing to say.
     """
@@ -56,6 +58,7 @@ class Diagnostic:
     severity: Severity = Severity.ERROR
     topic: str = "document"
     details: tuple[str, ...] = ()
+    related: tuple[Place, ...] = ()
 
     def __str__(self) -> str:
         where = f"{self.place}: " if self.place else ""

@@ -7,17 +7,21 @@ from pathlib import Path
 from typing import Any
 
 from layoutkit.constraints import Constraint
+from layoutkit.constraints.dressing import dressed, dressing_faults
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean, worst
 from layoutkit.documents.files import load
-from layoutkit.documents.grammar import FACADE, LAYOUT, NAMESPACE, PICTURE
+from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, NAMESPACE, PICTURE
 from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
+from layoutkit.documents.masses import mass_of
 from layoutkit.documents.reading import Reading, in_order
 from layoutkit.documents.regions import RegionReader
 from layoutkit.documents.tree import Element, parse
-from layoutkit.model import Facade, Layout, Picture, Region
+from layoutkit.model import Facade, Layout, Mass, Picture, Region
+from layoutkit.model.region import TILING_TOLERANCE
 
 #: What may stand in a facade, and in a layout, in this order.
-_PARTS = ("picture", "region", "constraints")
+_FACADE_PARTS = ("picture", "region", "constraints")
+_LAYOUT_PARTS = ("picture", "mass", "region")
 
 
 @dataclass(frozen=True)
@@ -105,9 +109,13 @@ def _check_root(root: Element, reading: Reading) -> None:
 
 def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
     values = reading.values(root, FACADE)
-    parts = _parts(root, _PARTS, reading)
+    parts = _parts(root, _FACADE_PARTS, reading)
     regions = RegionReader(reading)
     tree = _tree(parts, root, regions)
+    if tree.split == "faces":
+        hint = "a facade is one design: `layoutkit vary --mass` puts it on the faces of a mass"
+        reading.fault("LK808", "a facade cannot be split into faces", parts["region"], hint)
+        regions.names_known = False
     for element in regions.instances:
         symbol = element.attributes["symbol"]
         message = f"the symbol {symbol} is defined in two ways among its siblings"
@@ -130,16 +138,49 @@ def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
 
 def _layout(root: Element, reading: Reading) -> Layout:
     values = reading.values(root, LAYOUT)
-    parts = _parts(root, _PARTS[:2], reading)
+    parts = _parts(root, _LAYOUT_PARTS, reading)
+    tree = _tree(parts, root, RegionReader(reading))
     return Layout(
         values.get("name") or "",
         values.get("units") or "m",
-        _tree(parts, root, RegionReader(reading)),
+        tree,
         facade_file=values.get("facade"),
         seed=values.get("seed"),
         index=values.get("index"),
         picture=_picture(parts, reading),
+        mass=_mass(parts, tree, root, reading),
     )
+
+
+def _mass(parts: dict[str, Element], tree: Region, root: Element, reading: Reading) -> Mass | None:
+    """Return what a layout's faces stand on; they have to be those of the mass."""
+    if "mass" not in parts:
+        if tree.split == "faces":
+            hint = "add the mass that the faces stand on, before the region"
+            reading.fault("LK107", "<layout> has faces, and no <mass>", root, hint)
+        return None
+    before = len(reading.diagnostics)
+    reading.values(parts["mass"], LAYOUT_MASS)
+    mass = mass_of(parts["mass"], reading)
+    sound = worst(reading.diagnostics[before:]) is not Severity.ERROR
+    if sound and (message := _misfit(tree, mass)):
+        hint = "make the layout again from its facade and mass"
+        reading.fault("LK807", message, parts.get("region", root), hint, topic="layout")
+    return mass if sound else None
+
+
+def _misfit(tree: Region, mass: Mass) -> str:
+    """Say why the regions are not the faces of the mass; empty if they are."""
+    if tree.split != "faces":
+        return "the layout has a mass, but its root is not split into faces"
+    named, wanted = [child.symbol for child in tree.children], [face.name for face in mass.faces]
+    if named != wanted:
+        return f"the faces are {' '.join(named)}, and those of the mass {' '.join(wanted)}"
+    for child, box in zip(tree.children, mass.boxes, strict=True):
+        pairs = ((child.width, box.width), (child.height, box.height), (child.base, box.y0))
+        if max(abs(one - other) for one, other in pairs) > TILING_TOLERANCE * max(tree.width, tree.height):
+            return f"the face {child.symbol} has another size or place than the mass gives it"
+    return ""
 
 
 def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) -> Facade | None:
@@ -169,7 +210,11 @@ def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) ->
             reading.diagnostics += error.diagnostics
         return None
     reading.diagnostics += in_order(facade_reading.diagnostics)
-    return facade
+    if layout.mass is None or worst(facade_reading.diagnostics) is Severity.ERROR:
+        return facade
+    faults = [d for d in dressing_faults(facade, layout.mass) if d.severity is Severity.ERROR]
+    reading.diagnostics += faults
+    return None if faults else dressed(facade, layout.mass)
 
 
 def _parts(root: Element, allowed: tuple[str, ...], reading: Reading) -> dict[str, Element]:

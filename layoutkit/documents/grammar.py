@@ -10,9 +10,14 @@ from functools import lru_cache
 from typing import Any
 
 from layoutkit.constraints.attributes import Attribute, AttributeType, choice
+from layoutkit.model.face import Point
+from layoutkit.model.mass import CORNER
+from layoutkit.model.measure import format_number
 from layoutkit.model.selection import SYMBOL
 
 NAMESPACE = "urn:layoutkit:1"
+#: Points of one footprint: that they do not cross is found by comparing all of its sides.
+POINT_LIMIT = 1000
 
 _SYMBOL = re.compile(SYMBOL)
 _BLANKS = re.compile(r"[ \t\r\n]+")
@@ -24,6 +29,8 @@ _LABELS_PATTERN = rf"\s*({_SYMBOL_PATTERN}(\s+{_SYMBOL_PATTERN})*)?\s*"
 _EXPONENT = r"([eE][+\-]?[0-9]{1,3})?"
 #: At least one digit is not 0, before the point or after it.
 _POSITIVE_PATTERN = rf" *\+?(0*[1-9][0-9]*(\.[0-9]*)?|0*\.0*[1-9][0-9]*){_EXPONENT} *"
+_NUMBER_PATTERN = rf"[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+){_EXPONENT}"
+_POINTS_PATTERN = rf"\s*{_NUMBER_PATTERN},{_NUMBER_PATTERN}(\s+{_NUMBER_PATTERN},{_NUMBER_PATTERN})*\s*"
 _PIXEL_PATTERN = rf" *\+?([0-9]+(\.[0-9]*)?|\.[0-9]+){_EXPONENT} *"
 _WHOLE_PATTERN = r"[0-9]{1,39}"
 
@@ -37,6 +44,7 @@ def _spelled(pattern: str) -> Callable[[str], bool]:
 _remembered = lru_cache(maxsize=1 << 14)
 
 _is_positive, _is_pixel, _is_whole = map(_spelled, (_POSITIVE_PATTERN, _PIXEL_PATTERN, _WHOLE_PATTERN))
+_is_number, _are_points = _spelled(f" *{_NUMBER_PATTERN} *"), _spelled(_POINTS_PATTERN)
 
 
 @_remembered
@@ -52,6 +60,26 @@ def _pixel(text: str) -> float:
     if not math.isfinite(value):
         raise ValueError(f"{text!r} is not a finite number of at least 0")
     return value
+
+
+def _number(text: str) -> float:
+    value = float(text) if _is_number(text) else math.nan
+    if not math.isfinite(value):
+        raise ValueError(f"{text!r} is not a finite number")
+    return value
+
+
+def _points(text: str) -> tuple[Point, ...]:
+    if not _are_points(text):
+        raise ValueError("points are written x,y x,y: two numbers with a comma each, and blanks between them")
+    found = tuple((_number(x), _number(y)) for x, _, y in (part.partition(",") for part in text.split()))
+    if len(found) > POINT_LIMIT:
+        raise ValueError(f"{len(found)} points are more than {POINT_LIMIT}")
+    return found
+
+
+def _points_text(points: tuple[Point, ...]) -> str:
+    return " ".join(f"{format_number(x)},{format_number(y)}" for x, y in points)
 
 
 def _whole(text: str) -> int:
@@ -74,12 +102,16 @@ def _labels(text: str) -> tuple[str, ...]:
 
 SIZE = AttributeType("size", _size, pattern=_POSITIVE_PATTERN)
 _PIXEL = AttributeType("pixel", _pixel, pattern=_PIXEL_PATTERN)
+NUMBER = AttributeType("number", _number, format_number, pattern=f" *{_NUMBER_PATTERN} *")
+_POINTS = AttributeType("points", _points, _points_text, pattern=_POINTS_PATTERN)
 _WHOLE = AttributeType("whole", _whole, pattern=_WHOLE_PATTERN)
 _NAME = AttributeType("symbol", _symbol, pattern=_SYMBOL_PATTERN)
 _LABELS = AttributeType("labels", _labels, " ".join, pattern=_LABELS_PATTERN)
 _TEXT = AttributeType("text", str)
 _UNITS = choice("units", "m", "px")
 _SPLIT = choice("split", "columns", "rows")
+_ROOT_SPLIT = choice("split", "columns", "rows", "faces")
+_CLOSED = choice("closed", "yes", "no")
 _FILL = choice("fill", "stretch", "repeat")
 
 
@@ -146,11 +178,13 @@ PICTURE = element_type(
 )
 _SYMBOL_HELP = "The region's type within its parent: the same symbol means an identical region."
 _SPLIT_HELP = "How it is divided: columns from left to right, rows from the top down. A terminal has none."
+_ROOT_SPLIT_HELP = f"{_SPLIT_HELP} A building's layout: its faces side by side."
 _FILL_HELP = "How a terminal's picture fills another size: stretched, or repeated."
 _REGION_ATTRIBUTES = (
-    _optional("split", _SPLIT, _SPLIT_HELP),
     _optional("labels", _LABELS, "Semantic classes, separated by spaces; constraints name them with @."),
     _optional("fill", _FILL, _FILL_HELP, "stretch"),
+    _optional("depth", NUMBER, "How far it stands out of what is around it; below 0: stands back.", 0.0),
+    _optional("material", _TEXT, "What it and its inside are made of; left out, as what is around it.", ""),
 )
 REGION = element_type(
     "region",
@@ -158,6 +192,8 @@ REGION = element_type(
     _required("symbol", _NAME, _SYMBOL_HELP),
     _optional("width", SIZE, "The width, where the parent is split into columns."),
     _optional("height", SIZE, "The height, where the parent is split into rows."),
+    _optional("base", NUMBER, "Elevation of a face's lower edge, where the parent is split into faces.", 0.0),
+    _optional("split", _SPLIT, _SPLIT_HELP),
     *_REGION_ATTRIBUTES,
 )
 ROOT_REGION = element_type(
@@ -166,6 +202,7 @@ ROOT_REGION = element_type(
     _required("symbol", _NAME, _SYMBOL_HELP),
     _required("width", SIZE, "The width of the whole."),
     _required("height", SIZE, "The height of the whole."),
+    _optional("split", _ROOT_SPLIT, _ROOT_SPLIT_HELP),
     *_REGION_ATTRIBUTES,
 )
 AGAIN = element_type(
@@ -176,4 +213,34 @@ AGAIN = element_type(
 CONSTRAINTS = element_type(
     "constraints",
     "What every variation keeps. A comment directly above a constraint says why it is there.",
+)
+_MASS_HELP = (
+    "A building's mass, of boxes and footprints: x to the east, y to the north, elevations above the ground."
+)
+#: A document of its own.
+MASS = element_type("mass", _MASS_HELP, _DOCUMENT_NAME, _DOCUMENT_UNITS)
+#: What a layout's faces stand on.
+LAYOUT_MASS = element_type("mass", _MASS_HELP)
+_PART_NAME = _optional("name", _NAME, "Begins the names of the part's faces, such as Tower_South.")
+_PART_BASE = _optional("base", NUMBER, "Elevation of its foot.", 0.0)
+BOX = element_type(
+    "box",
+    "A box along the axes. Its faces are South, East, North and West.",
+    _PART_NAME,
+    _optional("x", NUMBER, "Its west side.", 0.0),
+    _optional("y", NUMBER, "Its south side.", 0.0),
+    _required("width", SIZE, "Its extent along x."),
+    _required("depth", SIZE, "Its extent along y."),
+    _required("height", SIZE, "Its extent upwards."),
+    _PART_BASE,
+)
+FOOTPRINT = element_type(
+    "footprint",
+    "A prism over an outline. Its faces are Face1, Face2 and so on, from the outline's first corner.",
+    _PART_NAME,
+    _required("points", _POINTS, "The outline's points, x,y each. A curve is written as many short sides."),
+    _required("height", SIZE, "Its extent upwards."),
+    _PART_BASE,
+    _optional("closed", _CLOSED, "yes, or no for a wall by itself, whose outside is on the right.", "yes"),
+    _optional("corner", SIZE, "Degrees from which on two segments meet in a corner between faces.", CORNER),
 )

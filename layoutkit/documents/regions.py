@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 from layoutkit.diagnostics import Faulty, did_you_mean
@@ -11,6 +12,9 @@ from layoutkit.documents.reading import Reading
 from layoutkit.documents.tree import ELEMENT_LIMIT, Element
 from layoutkit.model import Region, Split
 from layoutkit.model.region import TILING_TOLERANCE
+
+#: What a region that is split into columns or rows holds.
+_CHILDREN = (REGION.name, AGAIN.name)
 
 
 class RegionReader:
@@ -55,7 +59,15 @@ class RegionReader:
         judged = values.get("split") is not None
         children = self._children(element, split, (width, height), judged) if split else ()
         region = Region(
-            symbol or "", width, height, split, children, labels or (), values.get("fill") or "stretch"
+            symbol or "",
+            width,
+            height,
+            split,
+            children,
+            labels or (),
+            values.get("fill") or "stretch",
+            values.get("depth") or 0.0,
+            values.get("material") or "",
         )
         if split:
             self._check_count(region, element)
@@ -91,7 +103,7 @@ class RegionReader:
         first: dict[str, tuple[Region, bool]] = {}
         whole = True
         for child in element.children:
-            name = self.reading.name_of(child, element, ("region", "again"))
+            name = self.reading.name_of(child, element, ("region",) if split == "faces" else _CHILDREN)
             before = len(self.reading.diagnostics)
             if name == "region":
                 region = self._child(child, split, size, judged)
@@ -111,6 +123,11 @@ class RegionReader:
 
     def _child(self, element: Element, split: Split, size: tuple[float, float], judged: bool) -> Region:
         values = self.reading.values(element, REGION)
+        if split == "faces":
+            return self._face(element, values)
+        if "base" in values:
+            message = f"base of <region>: its place follows from the parent, which is split into {split}"
+            self.reading.fault("LK112", message, element, "delete base: only a building's faces have one")
         along, across = ("width", "height") if split == "columns" else ("height", "width")
         if judged and across in values:
             hint = f"delete {across}" if along in values else f"write {along} instead of {across}"
@@ -122,6 +139,14 @@ class RegionReader:
             self.reading.fault("LK104", message, element, hint)
         own = _known_size(values.get(along))
         return self._region(element, values, *((own, size[1]) if split == "columns" else (size[0], own)))
+
+    def _face(self, element: Element, values: dict[str, Any]) -> Region:
+        for name in ("width", "height"):
+            if name not in values:
+                message = f"<region> lacks the attribute {name}"
+                self.reading.fault("LK104", message, element, "a face has a width and a height of its own")
+        width, height = (_known_size(values.get(name)) for name in ("width", "height"))
+        return replace(self._region(element, values, width, height), base=values.get("base") or 0.0)
 
     def _repeated(self, element: Element, known: dict[str, Region]) -> Region | None:
         symbol = self.reading.values(element, AGAIN).get("symbol")
@@ -135,9 +160,13 @@ class RegionReader:
     def _check_tiling(
         self, element: Element, split: Split, size: tuple[float, float], children: list[Region]
     ) -> None:
-        name, own = ("width", size[0]) if split == "columns" else ("height", size[1])
+        name, own = ("height", size[1]) if split == "rows" else ("width", size[0])
         total = sum(child.extent(split) for child in children)
         difference = total - own
+        if split == "faces" and abs((top := _top(children)) - size[1]) > TILING_TOLERANCE * size[1]:
+            message = f"the faces reach up to {top:.12g}, the height of the whole is {size[1]:.12g}"
+            hint = f"make the root's height {top:.12g}"
+            self.reading.fault("LK212", message, element, hint, topic="reference")
         if abs(difference) > TILING_TOLERANCE * own:
             message = f"the {name}s of the children add up to {total:.12g}, the parent's is {own:.12g}"
             amount = f"{abs(difference):.6g}"
@@ -153,6 +182,10 @@ class RegionReader:
             self.reading.fault("LK006", message, element, "let <again> repeat fewer nested regions")
             raise Faulty(self.reading.ordered())
         self._placed[id(region)] = count
+
+
+def _top(faces: list[Region]) -> float:
+    return max((face.base + face.height for face in faces), default=math.nan)
 
 
 def _known_size(value: float | None) -> float:

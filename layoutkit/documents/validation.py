@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from layoutkit.constraints.checking import unkept
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity, worst
 from layoutkit.documents.document import Opened, open_document
 from layoutkit.documents.kinds import Kinds
@@ -16,7 +17,8 @@ def check(path: Path | str, kinds: Kinds) -> list[Diagnostic]:
     """Return every fault of a document, in document order; an empty list if there is none.
 
     A layout without errors is also held against its facade: each rule and constraint that it breaks is an
-    error at the region's place (LK501, LK502), with the amount.
+    error at the region's place (LK501, LK502), with the amount; a soft constraint that it does not keep is a
+    note (LK506).
 
     Parameters
     ----------
@@ -43,27 +45,43 @@ def _against_facade(layout: Layout, opened: Opened) -> list[Diagnostic]:
         hint = "write both in the same units"
         return [Diagnostic("LK503", message, opened.root.place, hint, topic="layout")]
     try:
-        broken = layout.violations()
+        broken, missed = layout.violations(), unkept(layout, layout.facade)
     except Exception as error:  # a plugin's constraint may raise anything
         message = f"a constraint kind failed to check the layout: {type(error).__name__}: {error}"
         hint = "report it to the author of the plugin whose constraints the facade uses"
         return [Diagnostic("LK407", message, opened.root.place, hint, topic="plugin")]
     root = next(child for child in opened.root.children if child.name == "region")
-    return [_diagnostic(violation, place_of(violation.path, root)) for violation in broken]
+    return [
+        *(_fault(violation, place_of(violation.path, root)) for violation in broken),
+        *(_remark(violation, place_of(violation.path, root)) for violation in missed),
+    ]
 
 
-def _diagnostic(violation: Violation, place: Place) -> Diagnostic:
-    path = violation.path.rstrip("/")
-    constraint = violation.constraint
-    details = [f"off by {violation.amount:.6g}"]
-    if constraint is None:
+def _fault(violation: Violation, place: Place) -> Diagnostic:
+    """Say that a rule or a hard constraint is broken."""
+    if violation.constraint is None:
         code, hint = "LK501", "make the layout again from its facade"
     else:
         code, hint = "LK502", "change the layout by that amount, or loosen the constraint"
-        where = f"  ({constraint.place})" if constraint.place else ""
-        details.insert(0, f"{constraint}{where}")
-    message = f"{path}: {violation.message}"
-    return Diagnostic(code, message, place, hint, topic="layout", details=tuple(details))
+    return Diagnostic(code, _message(violation), place, hint, topic="layout", details=_details(violation))
+
+
+def _remark(violation: Violation, place: Place) -> Diagnostic:
+    """Say that a soft constraint is not kept."""
+    details = _details(violation)
+    return Diagnostic("LK506", _message(violation), place, "", Severity.NOTE, "layout", details)
+
+
+def _message(violation: Violation) -> str:
+    return f"{violation.path.rstrip('/')}: {violation.message}"
+
+
+def _details(violation: Violation) -> tuple[str, ...]:
+    amount, constraint = f"off by {violation.amount:.6g}", violation.constraint
+    if constraint is None:
+        return (amount,)
+    where = f"  ({constraint.place})" if constraint.place else ""
+    return f"{constraint}{where}", amount
 
 
 def place_of(path: str, root: Element) -> Place:

@@ -8,8 +8,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from layoutkit.constraints import Constraint
 from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.documents.grammar import NAMESPACE
+from layoutkit.documents.masses import part_fields
 from layoutkit.documents.tree import comment_lines
-from layoutkit.model import Facade, Layout, Picture, Region
+from layoutkit.model import Facade, Layout, Mass, Picture, Region, Split
+from layoutkit.model.facade import Units
 from layoutkit.model.measure import format_number
 from layoutkit.model.region import TILING_TOLERANCE
 
@@ -60,8 +62,24 @@ def layout_bytes(layout: Layout) -> bytes:
         "seed": layout.seed,
         "index": layout.index,
     }
-    lines = [f"<{_joined('layout', head)}>", *_picture_lines(layout.picture), *_root_lines(layout.root)]
+    lines = [f"<{_joined('layout', head)}>", *_picture_lines(layout.picture)]
+    if layout.mass is not None:
+        parts = (INDENT + line for line in _part_lines(layout.mass))
+        lines += [f"{INDENT}<mass>", *parts, f"{INDENT}</mass>"]
+    lines += _root_lines(layout.root)
     return _document(lines, "layout")
+
+
+def mass_bytes(mass: Mass, name: str, units: Units) -> bytes:
+    """Return a mass's document.
+
+    Raises
+    ------
+    Faulty
+        If a name holds a character that XML cannot (LK009).
+    """
+    head = {"xmlns": NAMESPACE, "name": name, "units": units}
+    return _document([f"<{_joined('mass', head)}>", *_part_lines(mass)], "mass")
 
 
 def constraint_lines(constraints: Iterable[Constraint], prefix: str = "") -> Iterator[str]:
@@ -94,6 +112,17 @@ def _picture_lines(picture: Picture | None) -> Iterator[str]:
         yield f"{INDENT}<{_joined('picture', {'file': picture.file, **sides})}/>"
 
 
+def _part_lines(mass: Mass) -> Iterator[str]:
+    for part in mass.parts:
+        kind, fields = part_fields(part)
+        shown = {
+            a.name: a.type.text(fields[a.name])
+            for a in kind.attributes.values()
+            if a.required or fields[a.name] != a.default
+        }
+        yield f"{INDENT}<{_joined(kind.name, shown)}/>"
+
+
 def _root_lines(root: Region) -> Iterator[str]:
     size = {"width": format_number(root.width), "height": format_number(root.height)}
     yield from _region_lines(root, size, INDENT)
@@ -106,11 +135,12 @@ def _region_lines(region: Region, size: dict[str, str], indent: str) -> Iterator
         "split": region.split,
         "labels": " ".join(region.labels) or None,
         "fill": region.fill if region.fill != "stretch" else None,
+        "depth": format_number(region.depth) if region.depth else None,
+        "material": region.material or None,
     }
     if region.split is None:
         yield f"{indent}<{_joined('region', shown)}/>"
         return
-    along = "width" if region.split == "columns" else "height"
     yield f"{indent}<{_joined('region', shown)}>"
     latest: dict[str, Region] = {}
     for child in region.children:
@@ -119,12 +149,23 @@ def _region_lines(region: Region, size: dict[str, str], indent: str) -> Iterator
             yield f"{indent}{INDENT}<{_joined('again', {'symbol': child.symbol})}/>"
         else:
             latest[child.symbol] = child
-            own = {along: format_number(child.extent(region.split))}
-            yield from _region_lines(child, own, indent + INDENT)
+            yield from _region_lines(child, _own_size(child, region.split), indent + INDENT)
     yield f"{indent}</region>"
 
 
+def _own_size(child: Region, split: Split) -> dict[str, str]:
+    """Return what the parent does not say of a child's size and place."""
+    if split == "columns":
+        return {"width": format_number(child.width)}
+    if split == "rows":
+        return {"height": format_number(child.height)}
+    base = {"base": format_number(child.base)} if child.base else {}
+    return {"width": format_number(child.width), "height": format_number(child.height), **base}
+
+
 def _check_across(child: Region, parent: Region) -> None:
+    if parent.split == "faces":
+        return
     own, other = (child.height, parent.height) if parent.split == "columns" else (child.width, parent.width)
     if abs(own - other) > TILING_TOLERANCE * other:
         both = f"{own!r}, not {other!r}"

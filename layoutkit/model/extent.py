@@ -12,14 +12,14 @@ from layoutkit.model.word import Word
 
 @dataclass(frozen=True, slots=True)
 class Extent:
-    """Regions, written as a set (``Facade/Floor/Bay``), or a run within one: ``Facade/Side: P Q R S``.
+    """Regions, written as a set (``Facade/Floor/Bay``), or a run within some: ``Facade/Side: P Q R S``.
 
     Attributes
     ----------
     regions
         The set, where it is one.
     within, word
-        Path of the composite region, and the run in it, where it is not.
+        Path of the composite region, or several separated by spaces, and the run in it, where it is not.
     """
 
     regions: RegionSet | None = None
@@ -38,9 +38,15 @@ class Extent:
         within, colon, word = text.partition(":")
         if not colon:
             return cls(RegionSet.parse(text))
-        if RegionSet.parse(within).operator:
-            raise ValueError(f"a single path is expected before the colon in {text!r}")
-        return cls(None, within.strip(), Word.parse(word))
+        paths = within.split()
+        if not paths or any(RegionSet.parse(path).operator for path in paths):
+            raise ValueError(f"a path is expected before the colon in {text!r}")
+        return cls(None, " ".join(paths), Word.parse(word))
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """The composite regions that a run is looked for in."""
+        return tuple(self.within.split())
 
     def __str__(self) -> str:
         return str(self.regions) if self.regions is not None else f"{self.within}: {self.word}"

@@ -8,11 +8,13 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
+from layoutkit.model.box import Box
 from layoutkit.model.region import PlacedRegion, Region, place
 from layoutkit.model.selection import RegionSet
 
 if TYPE_CHECKING:
     from layoutkit.constraints.constraint import Constraint
+    from layoutkit.model.building import Building
 
 Units = Literal["m", "px"]
 
@@ -43,6 +45,8 @@ class Facade:
         The whole facade; its symbol begins every path.
     constraints
         In document order.
+    building
+        What a building's facade was made from; its root is split into faces, each a copy of one design.
     """
 
     name: str
@@ -50,6 +54,20 @@ class Facade:
     root: Region
     picture: Picture | None = None
     constraints: tuple[Constraint, ...] = ()
+    building: Building | None = None
+
+    @cached_property
+    def faces(self) -> Mapping[str, Box]:
+        """Where a layout's faces stand, by symbol path, all unrolled side by side; none without a building.
+
+        The root's own children have the size of the design: what constraints take for the input's.
+        """
+        if self.building is None:
+            return {}
+        mass = self.building.mass
+        return {
+            f"{self.root.symbol}/{face.name}": box for face, box in zip(mass.faces, mass.boxes, strict=True)
+        }
 
     @cached_property
     def regions(self) -> Mapping[str, Region]:
@@ -108,6 +126,8 @@ class Facade:
     def _named(self, name: str, within: str | None) -> frozenset[str]:
         if name.startswith("@"):
             return self._labelled.get(name[1:], frozenset())
+        if name.endswith("/*"):
+            return frozenset(path for path in self.regions if path.startswith(name[:-1]))
         path = name if within is None or "/" in name else f"{within}/{name}"
         return frozenset({path} & self.regions.keys())
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from layoutkit.model.facade import Facade, Picture, Units
+from layoutkit.model.mass import Mass
 from layoutkit.model.region import Region
 
 if TYPE_CHECKING:
@@ -50,6 +51,8 @@ class Layout:
         What it was made from, so that it can be made again.
     picture
         Its own picture, where one was made.
+    mass
+        What its faces stand on, if it is a building's.
     """
 
     name: str
@@ -60,6 +63,7 @@ class Layout:
     seed: int | None = None
     index: int | None = None
     picture: Picture | None = None
+    mass: Mass | None = None
 
     def violations(self) -> tuple[Violation, ...]:
         """Check the layout against its facade: every rule and constraint that it does not keep.

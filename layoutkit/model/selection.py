@@ -10,7 +10,8 @@ from typing import Literal
 #: What a symbol or label may be called: a letter or underscore, then letters, digits, underscores.
 SYMBOL = r"[^\W\d]\w*"
 
-_TOKEN = re.compile(rf"\s*(?:(?P<operator>[|&()-])|(?P<name>@?{SYMBOL}(?:/{SYMBOL})*))")
+_PATH = rf"{SYMBOL}(?:/{SYMBOL})*"
+_TOKEN = re.compile(rf"\s*(?:(?P<operator>[|&()-])|(?P<name>@{SYMBOL}|{_PATH}(?:/\*)?))")
 Operator = Literal["|", "&", "-"]
 
 
@@ -18,10 +19,10 @@ Operator = Literal["|", "&", "-"]
 class RegionSet:
     """A set of regions, written as an expression over names.
 
-    A name is a label (``@Window``), a symbol path from the root (``Facade/Floor/Bay``) or, where the
-    context is one composite region, the symbol of a direct child (``Bay``). Names join with ``|``
-    (union), ``&`` (intersection) and ``-`` (difference), which bind alike, from left to right;
-    parentheses group: ``@Window - @DoorSized``.
+    A name is a label (``@Window``), a symbol path from the root (``Facade/Floor/Bay``), all that is inside
+    such a region (``Facade/Floor/*``) or, where the context is one composite region, the symbol of a direct
+    child (``Bay``). Names join with ``|`` (union), ``&`` (intersection) and ``-`` (difference), which bind
+    alike, from left to right; parentheses group: ``@Window - @DoorSized``.
 
     Attributes
     ----------

@@ -34,6 +34,20 @@ class Word:
         ValueError
             If the text is not of that form; the message says where.
         """
+        word = cls.context(text)
+        if not word.sets:
+            raise ValueError(f"the sequence {text!r} names no region")
+        return word
+
+    @classmethod
+    def context(cls, text: str) -> Word:
+        """Read what stands beside a region: a word, or no more than the end of the encompassing region.
+
+        Raises
+        ------
+        ValueError
+            If the text is of neither form, or empty.
+        """
         sets: list[RegionSet] = []
         at_start = at_end = False
         position, text = 0, text.strip()
@@ -52,7 +66,7 @@ class Word:
             else:
                 sets.append(RegionSet.parse(token["name"]))
             position = token.end()
-        if not sets:
+        if not (sets or at_start or at_end):
             raise ValueError(f"the sequence {text!r} names no region")
         return cls(tuple(sets), at_start, at_end)
 

@@ -1,22 +1,26 @@
-"""Arrangements: all words chosen, no size known yet; placed regions as linear forms over cut lines.
+"""Arrangements: all words chosen, no size known yet; placed regions as linear forms over few variables.
 
-Each symbol (within its parent) has one frame: its cut lines, kept where it occurs first. Further
-occurrences are replicas: they share the interior lines, moved by the difference of two lines of their
-parent, and a single row says that they are as large (Bao et al. 2013, section 7.2, in the space of lines
-instead of sizes).
+Each symbol (within its parent) has one frame, in coordinates of its own, from 0 to its extent: however
+often it occurs, its inside is stated once. What is unknown about a frame is either the size of each of its
+symbols (where some occur more than once) or the cut lines between its children (where none does). Bao et al.
+2013, section 7.2, have one unknown for each placed child instead.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from layoutkit.model import Facade, Split
-from layoutkit.sizing.rules import Form, Range
+from layoutkit.sizing.qp import Floats
+from layoutkit.sizing.rules import SIZE, Form, Range
 
 #: Axis numbers: x is divided by columns, y (down from the top) by rows.
-AXIS: Mapping[Split, int] = {"columns": 0, "rows": 1}
+AXIS: Mapping[Split, int] = {"columns": 0, "rows": 1, "faces": 0}
+
+#: Words of more different symbols than this are stated by their lines: sums of so many sizes are long rows.
+_MOST_SYMBOLS = 48
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,19 +54,29 @@ class Slot:
         """Return the line at a share of the extent: 0 the start, 0.5 the centre, 1 the end."""
         if share in (0.0, 1.0):
             return self.end if share else self.start
-        return add({line: value * (1 - share) for line, value in self.start.items()}, self.end, share)
+        return add(
+            {variable: factor * (1 - share) for variable, factor in self.start.items()}, self.end, share
+        )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Frame:
-    """The cut lines of one symbol: start and end in each axis, and those between along its split."""
+    """The inside of one symbol, in coordinates of its own.
 
-    ends: tuple[tuple[int, int], tuple[int, int]]
-    cuts: tuple[int, ...] = ()
+    Attributes
+    ----------
+    extent
+        Its width and its height.
+    cuts
+        From 0 to the extent, the ends of the children along its split; none where it has no inside.
+    """
+
+    extent: tuple[Form, Form]
+    cuts: tuple[Form, ...] = ()
 
 
 class Arrangement:
-    """The words of all composite regions that a layout reaches, and the lines that they make.
+    """The words of all composite regions that a layout reaches, and the unknowns that they leave.
 
     Parameters
     ----------
@@ -71,52 +85,80 @@ class Arrangement:
     words
         The word of every composite symbol path that the words themselves reach; one without a word is
         still undecided, and stands as a box without an inside.
-    size
-        Width and height.
 
     Attributes
     ----------
     frames
         Frame by symbol path, parents first.
-    lines
-        How many lines each axis has; numbers 0 and 1 are the facade's own two ends.
-    replicas
-        The equality rows of replicas, one for each further occurrence.
+    variables
+        How many variables each axis has; the first is the facade's own size, which is given.
+    tilings
+        The rows that make children fill their parents, where cut lines alone do not.
     """
 
-    def __init__(
-        self, facade: Facade, words: Mapping[str, tuple[str, ...]], size: tuple[float, float]
-    ) -> None:
-        self.facade, self.words, self.size = facade, words, size
-        self.lines = [2, 2]
+    def __init__(self, facade: Facade, words: Mapping[str, tuple[str, ...]]) -> None:
+        self.facade, self.words = facade, words
+        self.variables = [1, 1]
         self.frames: dict[str, Frame] = {}
-        self.replicas: list[Range] = []
+        self.tilings: list[Range] = []
         self._slots: dict[tuple[str, int], tuple[Slot, ...]] = {}
-        self._add(facade.root.symbol, ((0, 1), (0, 1)))
+        self._add(facade.root.symbol)
 
-    def _add(self, root: str, ends: tuple[tuple[int, int], tuple[int, int]]) -> None:
-        pending = [(root, ends)]
-        while pending:
-            path, (x, y) = pending.pop()
-            region = self.facade.regions[path]
-            word = self.words.get(path)
+    def _add(self, root: str) -> None:
+        pending: list[tuple[str, tuple[Form, Form]]] = [(root, ({SIZE: 1.0}, {SIZE: 1.0}))]
+        for path, extent in pending:  # which grows meanwhile
+            region, word = self.facade.regions[path], self.words.get(path)
             if region.split is None or word is None:
-                self.frames[path] = Frame((x, y))
+                self.frames[path] = Frame(extent)
                 continue
             axis = AXIS[region.split]
-            start, end = (x, y)[axis]
-            inner = tuple(range(self.lines[axis], self.lines[axis] + len(word) - 1))
-            self.lines[axis] += len(inner)
-            cuts = (start, *inner, end)
-            self.frames[path] = Frame((x, y), cuts)
-            first: dict[str, int] = {}
-            for index, symbol in enumerate(word):
-                if symbol in first:
-                    self.replicas.append(_as_large(axis, cuts, first[symbol], index))
-                    continue
-                first[symbol] = index
-                span = (cuts[index], cuts[index + 1])
-                pending.append((f"{path}/{symbol}", (span, y) if axis == 0 else (x, span)))
+            cuts, sizes = self._divided(path, axis, word, extent[axis])
+            self.frames[path] = Frame(extent, cuts)
+            for symbol, size in sizes.items():
+                pending.append((f"{path}/{symbol}", (size, extent[1]) if axis == 0 else (extent[0], size)))
+
+    def _divided(
+        self, path: str, axis: int, word: Sequence[str], extent: Form
+    ) -> tuple[tuple[Form, ...], dict[str, Form]]:
+        """Return the cuts of a word, and the size of each of its symbols."""
+        times = Counter(word)
+        if len(times) == 1:
+            size = {variable: factor / len(word) for variable, factor in extent.items()}
+            cuts = tuple({v: n * factor for v, factor in size.items()} for n in range(len(word)))
+            return ({}, *cuts[1:], extent), {word[0]: size}
+        if len(times) == len(word) or len(times) > _MOST_SYMBOLS:
+            return self._by_lines(path, axis, word, extent)
+        return self._by_sizes(path, axis, word, extent, times)
+
+    def _by_lines(
+        self, path: str, axis: int, word: Sequence[str], extent: Form
+    ) -> tuple[tuple[Form, ...], dict[str, Form]]:
+        cuts: tuple[Form, ...] = ({}, *({self._variable(axis): 1.0} for _ in word[1:]), extent)
+        sizes: dict[str, Form] = {}
+        for index, symbol in enumerate(word):
+            size = add(cuts[index + 1], cuts[index], -1.0)
+            if symbol in sizes:
+                self.tilings.append(Range(axis, add(size, sizes[symbol], -1.0), 0.0, 0.0, None, (path,)))
+            else:
+                sizes[symbol] = size
+        return cuts, sizes
+
+    def _by_sizes(
+        self, path: str, axis: int, word: Sequence[str], extent: Form, times: Mapping[str, int]
+    ) -> tuple[tuple[Form, ...], dict[str, Form]]:
+        unknown = {symbol: self._variable(axis) for symbol in times}
+        total = {unknown[symbol]: float(n) for symbol, n in times.items()}
+        self.tilings.append(Range(axis, add(total, extent, -1.0), 0.0, 0.0, None, (path,)))
+        cuts: list[dict[int, float]] = [{}]
+        for symbol in word[:-1]:
+            cut = dict(cuts[-1])
+            cut[unknown[symbol]] = cut.get(unknown[symbol], 0.0) + 1.0
+            cuts.append(cut)
+        return (*cuts, extent), {symbol: {variable: 1.0} for symbol, variable in unknown.items()}
+
+    def _variable(self, axis: int) -> int:
+        self.variables[axis] += 1
+        return self.variables[axis] - 1
 
     def slots(self, path: str, axis: int) -> tuple[Slot, ...]:
         """Return the places of a symbol path along an axis, in reading order; none if no word reaches it."""
@@ -128,22 +170,20 @@ class Arrangement:
         return self._slots[key]
 
     def _place(self, path: str, axis: int) -> Iterator[Slot]:
-        start, end = self.frames[path].ends[axis]
         parent_path, _, symbol = path.rpartition("/")
         if not parent_path:
-            yield Slot(path, None, (), {start: 1.0}, {end: 1.0})
+            yield Slot(path, None, (), {}, {SIZE: 1.0})
             return
-        frame, word = self.frames[parent_path], self.words[parent_path]
-        divided = AXIS[self.facade.regions[parent_path].split or "columns"] == axis
-        origin = {frame.ends[axis][0]: 1.0}
+        frame = self.frames[parent_path]
+        if AXIS[self.facade.regions[parent_path].split or "columns"] != axis:
+            for parent in self.slots(parent_path, axis):
+                yield Slot(path, parent, parent.order, parent.start, parent.end)
+            return
+        places = [i for i, s in enumerate(self.words[parent_path]) if s == symbol]
         for parent in self.slots(parent_path, axis):
-            shift = _difference(parent.start, origin)
-            if not divided:
-                yield Slot(path, parent, parent.order, add({start: 1.0}, shift), add({end: 1.0}, shift))
-                continue
-            for index in (i for i, s in enumerate(word) if s == symbol):
-                left, right = ({frame.cuts[index + i]: 1.0} for i in (0, 1))
-                yield Slot(path, parent, (*parent.order, index), add(left, shift), add(right, shift))
+            for index in places:
+                start, end = (add(parent.start, frame.cuts[index + i]) for i in (0, 1))
+                yield Slot(path, parent, (*parent.order, index), start, end)
 
     def count(self, path: str, counted: Collection[str]) -> tuple[int, bool]:
         """Return how many counted regions stand in a region of the path, and whether all words are known."""
@@ -158,30 +198,26 @@ class Arrangement:
 
     def extent(self, path: str, axis: int) -> Form:
         """Return the size of the symbol along an axis, the same for all its occurrences."""
-        start, end = self.frames[path].ends[axis]
-        return {end: 1.0, start: -1.0}
+        return self.frames[path].extent[axis]
 
     def run(self, path: str, start: int, end: int) -> Form:
         """Return the extent of the children from `start` to before `end` of the symbol, along its split."""
         cuts = self.frames[path].cuts
-        return {cuts[end]: 1.0, cuts[start]: -1.0}
+        return add(cuts[end], cuts[start], -1.0)
 
 
-def add(first: Form, second: Form, factor: float = 1.0) -> Form:
-    """Return first + factor · second, without the lines that cancel."""
+def add(first: Form, second: Form, factor: float = 1.0) -> dict[int, float]:
+    """Return first + factor · second, without the variables that cancel."""
     total = dict(first)
-    for line, value in second.items():
-        total[line] = total.get(line, 0.0) + factor * value
-        if total[line] == 0.0:
-            del total[line]
+    for variable, own in second.items():
+        new = total.get(variable, 0.0) + factor * own
+        if abs(new) < 1e-12:
+            total.pop(variable, None)
+        else:
+            total[variable] = new
     return total
 
 
-def _difference(first: Form, second: Form) -> Form:
-    return add(first, second, -1.0)
-
-
-def _as_large(axis: int, cuts: tuple[int, ...], first: int, other: int) -> Range:
-    size = {cuts[first + 1]: 1.0, cuts[first]: -1.0}
-    form = _difference({cuts[other + 1]: 1.0, cuts[other]: -1.0}, size)
-    return Range(axis, form, 0.0, 0.0, None)
+def value(form: Form, values: Sequence[float] | Floats) -> float:
+    """Return the value of a form, given all variables: the first is the facade's size, the last is 1."""
+    return float(sum(factor * values[variable] for variable, factor in form.items()))

@@ -6,43 +6,61 @@ from typing import ClassVar
 
 import numpy as np
 
-from layoutkit.sizing.qp import QP, Backend, Floats, Solution
+from layoutkit.sizing.qp import QP, Backend, Floats, Solution, dense
 
 #: Stands in for infinity where a solver wants a number; positions are in units of the facade's size.
 _FAR = 1e30
+#: How daqp marks equalities, and rows that it may miss at a price.
+_EQUALITY, _SOFT = 5, 8
+#: What missing a row costs daqp: so little that the misses left are a proof.
+_PRICE = 1e-8
 
 
 class Daqp(Backend):
     """Dual active set method (Arnström et al. 2022, doi 10.1109/TAC.2022.3176430)."""
 
     name: ClassVar[str] = "daqp"
-    summary: ClassVar[str] = "A dense active set solver: fastest for up to about a hundred lines."
-    most_variables: ClassVar[int] = 150
+    summary: ClassVar[str] = "A dense active set solver: fastest for up to a few hundred variables."
+    most_variables: ClassVar[int] = 300
 
     def solve(self, problem: QP) -> Solution:
-        """Solve by daqp."""
+        """Solve by daqp; where it finds nothing, look for a proof."""
         import daqp
 
-        differences = problem.differences.toarray()
-        weighted = differences * problem.weights[:, None]
-        scale = float(problem.weights.max(initial=1.0))
-        hessian = np.ascontiguousarray(differences.T @ weighted) / scale
-        linear = -(weighted.T @ problem.targets) / scale
-        sense = np.where(problem.least == problem.most, 5, 0).astype(np.int32)
+        differences, rows = dense(problem.differences), np.ascontiguousarray(dense(problem.rows))
+        weights = problem.weights / problem.weights.max(initial=1.0)
+        weighted = differences * weights[:, None]
+        most, least = np.minimum(problem.most, _FAR), np.maximum(problem.least, -_FAR)
         x, _, flag, _ = daqp.solve(
-            hessian,
-            linear,
-            problem.rows.toarray(),
-            np.minimum(problem.most, _FAR),
-            np.maximum(problem.least, -_FAR),
-            sense,
+            np.ascontiguousarray(differences.T @ weighted),
+            -(weighted.T @ problem.targets),
+            rows,
+            most,
+            least,
+            np.where(problem.least == problem.most, _EQUALITY, 0).astype(np.int32),
             primal_tol=1e-10,
             eta_prox=1e-12,  # where it regularises, it goes on until that no longer shows
         )
         if flag == 1:
             return Solution("solved", np.asarray(x, dtype=float))
-        # Its word that there is none is no proof (it has no certificate): the next backend decides.
-        return Solution("unknown")
+        # Its word that there is none is no proof. The least squares by which rows must be missed are one:
+        # their gradient vanishes, so that the misses themselves are Farkas multipliers (of rows of length 1,
+        # as daqp measures them).
+        count = rows.shape[1]
+        norms = np.maximum(np.linalg.norm(rows, axis=1), 1e-12)
+        x, _, _, _ = daqp.solve(
+            np.eye(count) * 1e-6,
+            np.full(count, -0.5e-6),
+            rows,
+            most,
+            least,
+            np.full(len(rows), _SOFT, dtype=np.int32),
+            rho_soft=_PRICE,
+        )
+        values = rows @ np.asarray(x, dtype=float)
+        missed = np.maximum(values - most, 0.0) - np.maximum(least - values, 0.0)
+        proof = problem.refuted(missed / norms**2)
+        return Solution("unknown") if proof is None else Solution("infeasible", multipliers=proof)
 
 
 class Clarabel(Backend):
@@ -57,12 +75,13 @@ class Clarabel(Backend):
         import clarabel
         from scipy import sparse
 
+        differences, rows = sparse.csr_matrix(problem.differences), sparse.csr_matrix(problem.rows)
         weights = sparse.diags_array(problem.weights / problem.weights.max(initial=1.0))
-        hessian = sparse.triu(problem.differences.T @ weights @ problem.differences, format="csc")
-        linear = -(problem.differences.T @ (weights @ problem.targets))
+        hessian = sparse.triu(differences.T @ weights @ differences, format="csc")
+        linear = -(differences.T @ (weights @ problem.targets))
         equal = problem.least == problem.most
         upper, lower = ~equal & np.isfinite(problem.most), ~equal & np.isfinite(problem.least)
-        rows = sparse.vstack([problem.rows[equal], problem.rows[upper], -problem.rows[lower]], format="csc")
+        stacked = sparse.vstack([rows[equal], rows[upper], -rows[lower]], format="csc")
         ends = np.concatenate([problem.most[equal], problem.most[upper], -problem.least[lower]])
         settings = clarabel.DefaultSettings()
         settings.verbose = False
@@ -71,11 +90,18 @@ class Clarabel(Backend):
             clarabel.ZeroConeT(int(equal.sum())),
             clarabel.NonnegativeConeT(int(upper.sum() + lower.sum())),
         ]
-        result = clarabel.DefaultSolver(hessian, linear, rows, ends, cones, settings).solve()
+        result = clarabel.DefaultSolver(hessian, linear, stacked, ends, cones, settings).solve()
         status = str(result.status)
         if status in ("Solved", "AlmostSolved"):
             return Solution("solved", np.asarray(result.x, dtype=float))
-        return Solution("infeasible" if status == "PrimalInfeasible" else "unknown")
+        if "PrimalInfeasible" not in status:
+            return Solution("unknown")
+        multipliers = np.zeros(len(equal))
+        own = np.split(np.asarray(result.z), np.cumsum([equal.sum(), upper.sum()]))
+        multipliers[equal] += own[0]
+        multipliers[upper] += own[1]
+        multipliers[lower] -= own[2]
+        return Solution("infeasible", multipliers=multipliers)
 
 
 #: In the order in which they are tried.
@@ -87,8 +113,10 @@ def polish(problem: QP, x: Floats) -> Floats:
     equal = problem.least == problem.most
     if not equal.any():
         return x
-    rows = problem.rows.toarray()[equal]
     ends = problem.least[equal]
+    if np.abs(ends - problem.rows[equal] @ x).max() < 1e-13:
+        return x
+    rows = dense(problem.rows[equal])
     gram = rows @ rows.T
     # Rows may depend on each other: a little on the diagonal, and the step repeated, is a pseudo-inverse.
     gram[np.diag_indices_from(gram)] += 1e-9

@@ -1,4 +1,4 @@
-"""From an arrangement and the positions of its lines to a tree of regions."""
+"""From an arrangement and the values of its variables to a tree of regions."""
 
 from __future__ import annotations
 
@@ -6,28 +6,26 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from layoutkit.model import Region
-from layoutkit.sizing.arrangement import AXIS, Arrangement
+from layoutkit.sizing.arrangement import AXIS, Arrangement, value
 from layoutkit.sizing.qp import Floats
 
 
-def region_tree(arrangement: Arrangement, positions: Sequence[Floats]) -> Region:
+def region_tree(arrangement: Arrangement, values: Sequence[Floats]) -> Region:
     """Return the regions of an arrangement with their sizes; replicas are one object.
 
     Parameters
     ----------
-    positions
-        Positions of all lines of x and of y, in document units.
+    values
+        Those of all variables of x and of y, in document units; the first of each is the facade's size.
     """
     made: dict[str, Region] = {}
     for path in reversed(arrangement.frames):  # children stand after their parents
-        source, ends = arrangement.facade.regions[path], arrangement.frames[path].ends
-        width, height = (
-            float(positions[a][end] - positions[a][start]) for a, (start, end) in enumerate(ends)
-        )
+        source, extent = arrangement.facade.regions[path], arrangement.frames[path].extent
+        width, height = (value(extent[axis], values[axis]) for axis in (0, 1))
         children = tuple(made[f"{path}/{symbol}"] for symbol in arrangement.words.get(path, ()))
         made[path] = replace(source, width=width, height=height, children=children)
     root = made[arrangement.facade.root.symbol]
-    return _exact(root, *arrangement.size)
+    return _exact(root, float(values[0][0]), float(values[1][0]))
 
 
 def _exact(region: Region, width: float, height: float) -> Region:

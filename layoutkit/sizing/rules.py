@@ -1,4 +1,4 @@
-"""Rules on sizes, as linear forms over the cut lines of one axis."""
+"""Rules on sizes, as linear forms over the variables of one axis."""
 
 from __future__ import annotations
 
@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from layoutkit.sizing.arrangement import Slot
 
-#: A linear form: line number to factor. Line positions run in reading direction: right, or down.
+#: A linear form: variable to factor. Positions run in reading direction: right, or down.
 Form = Mapping[int, float]
+#: The variable that is the facade's own extent, and the one that is always 1.
+SIZE, UNIT = 0, -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +25,9 @@ class Range:
         0 for x (lines of columns), 1 for y (lines of rows, counted down from the top).
     origin
         The constraint that asks for it.
+    words
+        Paths of the composite regions on whose words the row hangs, beside those of all that they lie in;
+        None: on every word. The search goes back to these words where the row cannot hold.
     """
 
     axis: int
@@ -30,18 +35,22 @@ class Range:
     least: float
     most: float
     origin: Any
+    words: tuple[str, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """The form should be near `value`, drawn for each variation from a truncated normal distribution.
+    """The form should be near a value that is drawn for each variation.
 
     Attributes
     ----------
     centre, deviation, least, most
-        The distribution's mean, standard deviation and ends; a deviation of 0 always gives the centre.
+        The distribution's mean (the mode, if it is triangular), standard deviation and ends; a deviation of 0
+        always gives the centre.
     weight
         Factor of the squared distance in the objective.
+    distribution
+        ``normal``, truncated to the ends; ``uniform`` or ``triangular`` from end to end.
     """
 
     axis: int
@@ -51,6 +60,7 @@ class Target:
     least: float
     most: float
     weight: float = 1.0
+    distribution: str = "normal"
 
 
 @dataclass(frozen=True, slots=True)

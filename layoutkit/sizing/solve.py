@@ -4,44 +4,60 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property
 
 import numpy as np
 
 from layoutkit.sizing.arrangement import Slot, add
 from layoutkit.sizing.backends import polish
+from layoutkit.sizing.overlaps import Pair, out_of_line
+from layoutkit.sizing.plan import Contradiction, Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Floats, Solution
-from layoutkit.sizing.reduction import Contradiction, Pull, Reduced, reduce
-from layoutkit.sizing.rules import Aligned, Form, Range
+from layoutkit.sizing.rules import Aligned, Range, SizeRule, Target
 
 #: Rows hold to this share of the facade's size in every accepted solution: well below what is promised.
 RESIDUAL = 1e-8
-#: Regions overlap, or are out of line, from this share of the facade's size on.
-OVERLAP = 2e-7
-#: Pairs that overlap by this share of the smaller one are taken to belong together.
-_SURE = 0.5
 
 
 @dataclass(frozen=True, eq=False)
 class Axis:
-    """The sizing of one axis.
+    """The rules on one axis of an arrangement, made ready to be sized again and again.
 
     Attributes
     ----------
     number
         0 for x, 1 for y.
-    lines
-        How many cut lines there are.
-    size
-        The facade's extent.
+    count
+        How many variables there are.
+    rules
+        Those of this axis.
     """
 
     number: int
-    lines: int
-    size: float
-    ranges: Sequence[Range]
-    pulls: Sequence[Pull]
-    aligned: Sequence[Aligned]
+    count: int
+    rules: Sequence[SizeRule]
+
+    @cached_property
+    def targets(self) -> tuple[Target, ...]:
+        """What sizes should be near to."""
+        return tuple(rule for rule in self.rules if isinstance(rule, Target))
+
+    @cached_property
+    def plan(self) -> Plan:
+        """The rules alone."""
+        return self._plan(())
+
+    @cached_property
+    def likely(self) -> Plan | None:
+        """The rules, and the pairs that correspond by their order in line; None where there are none."""
+        aligned = [rule for rule in self.rules if isinstance(rule, Aligned)]
+        guess = tuple(row for pair in _corresponding(aligned) for row in in_line(*pair))
+        return self._plan(guess) if guess else None
+
+    def _plan(self, guess: Sequence[Range]) -> Plan:
+        ranges = [rule for rule in self.rules if isinstance(rule, Range)]
+        aligned = [rule for rule in self.rules if isinstance(rule, Aligned)]
+        return make_plan(self.number, self.count, [*ranges, *guess], self.targets, aligned)
 
 
 @dataclass
@@ -52,8 +68,16 @@ class Budget:
 
 
 @dataclass(frozen=True, eq=False)
+class Drawn:
+    """What one variation draws: for each target a size, and the weight of its squared distance."""
+
+    sizes: Floats
+    weights: Floats
+
+
+@dataclass(frozen=True, eq=False)
 class Sized:
-    """Positions of all lines; or None, with the rules at fault where they are known.
+    """Values of all variables, and 1 behind them; or None, with the rules at fault where they are known.
 
     Attributes
     ----------
@@ -61,42 +85,117 @@ class Sized:
         Whether the budget ended the attempt, so that nothing is proved.
     """
 
-    positions: Floats | None
+    values: Floats | None
     conflict: Contradiction | None = None
     exhausted: bool = False
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class _Pair:
-    """A pair out of line: by how much it overlaps, and who it is."""
-
-    overlap: float
-    sure: bool
-    first: Slot = field(compare=False)
-    second: Slot = field(compare=False)
-    rule: Aligned = field(compare=False)
-
-
-def size_axis(axis: Axis, backends: Sequence[Backend], budget: Budget) -> Sized:
-    """Find positions that keep every range and alignment, nearest to the pulls.
+def size_axis(axis: Axis, size: float, drawn: Drawn, backends: Sequence[Backend], budget: Budget) -> Sized:
+    """Find values that keep every range and alignment, nearest to what is drawn.
 
     An alignment is a choice of three: the pair is in line, or one stands before the other, or after it. The
     first is tried first: for pairs that correspond by their order, then for all that surely overlap, then one
     by one.
+
+    Parameters
+    ----------
+    size
+        The facade's extent along the axis, in document units.
     """
-    if guess := tuple(row for pair in _corresponding(axis) for row in _in_line(*pair)):
-        found = _solve(axis, guess, backends, budget)
-        if found.positions is not None:
+    task = _Task(size, drawn, tuple(backends), budget)
+    if axis.likely is not None:
+        found = task.search(axis.likely)
+        if found.values is not None:
             return found
-    return _solve(axis, (), backends, budget)
+    return task.search(axis.plan)
 
 
-def _corresponding(axis: Axis) -> Iterator[tuple[Aligned, Slot, Slot]]:
+@dataclass
+class _Branching:
+    """A choice of ways to bring a pair in line, and what is known of those that failed."""
+
+    ways: Iterator[Plan]
+    pair: Pair | None = None
+    failed: list[Contradiction] = field(default_factory=list)
+
+    def conflict(self) -> Contradiction:
+        """Return what all failed ways have to do with."""
+        origins = [origin for found in self.failed for origin in found.origins]
+        words: set[str] | None = set()
+        for found in self.failed:
+            words = None if words is None or found.words is None else words | found.words
+        if self.pair is not None:
+            origins.append(self.pair.rule.origin)
+            words = None if words is None else words | {*_words_of(self.pair.first, self.pair.second)}
+        return Contradiction(tuple(dict.fromkeys(origins)), None if words is None else frozenset(words))
+
+
+@dataclass(frozen=True)
+class _Task:
+    """A size, a draw, and what may be spent."""
+
+    size: float
+    drawn: Drawn
+    backends: tuple[Backend, ...]
+    budget: Budget
+
+    def search(self, plan: Plan) -> Sized:
+        """Go depth first through the ways to bring pairs in line."""
+        stack = [_Branching(iter((plan,)))]
+        undecided = False
+        while True:
+            way = next(stack[-1].ways, None)
+            if way is None:
+                conflict = stack.pop().conflict()
+                if not stack:
+                    return Sized(None, conflict, exhausted=undecided)
+                stack[-1].failed.append(conflict)
+                continue
+            if self.budget.left <= 0:
+                return Sized(None, exhausted=True)
+            self.budget.left -= 1
+            found = self._solved(way)
+            if isinstance(found, Contradiction):
+                stack[-1].failed.append(found)
+            elif found is None:
+                undecided = True
+            elif pairs := sorted(out_of_line(way, found), reverse=True):
+                stack.append(_Branching(_ways(way, pairs), pairs[0]))
+            else:
+                return Sized(way.values(found, self.size))
+
+    def _solved(self, plan: Plan) -> Floats | Contradiction | None:
+        """Return the point that is nearest to what is drawn; None where nobody can tell."""
+        problem = plan.problem(self.size, self.drawn.sizes, self.drawn.weights)
+        if isinstance(problem, Contradiction):
+            return problem
+        solution = minimum(problem, self.backends)
+        if solution.x is not None:
+            return plan.point(solution.x, self.size)
+        if solution.multipliers is not None:
+            return plan.contradiction(plan.row_of(solution.multipliers))
+        return None
+
+
+def _ways(plan: Plan, pairs: Sequence[Pair]) -> Iterator[Plan]:
+    """Yield plans that deal with the first pair; the last three leave nothing out."""
+    sure = [pair for pair in pairs if pair.sure]
+    if len(sure) > 1 or (sure and sure[0] is not pairs[0]):
+        yield plan.with_rows([row for pair in sure for row in in_line(pair.rule, pair.first, pair.second)])
+    pair = pairs[0]
+    yield plan.with_rows(in_line(pair.rule, pair.first, pair.second))
+    for before, after in ((pair.first, pair.second), (pair.second, pair.first)):
+        gap = add(after.start, before.end, -1.0)
+        words = _words_of(pair.first, pair.second)
+        yield plan.with_rows([Range(plan.axis, gap, 0.0, float("inf"), pair.rule.origin, words)])
+
+
+def _corresponding(aligned: Sequence[Aligned]) -> Iterator[tuple[Aligned, Slot, Slot]]:
     """Yield pairs that likely overlap: of as many regions on either side, first with first, and so on.
 
     Where one side has several symbols, it is taken symbol by symbol.
     """
-    for rule in axis.aligned:
+    for rule in aligned:
         if len(rule.first) == len(rule.second):
             yield from _matched(rule, rule.first, rule.second)
         elif len({slot.symbol_path for slot in rule.first}) == 1:
@@ -114,110 +213,43 @@ def _matched(
                 yield rule, one, other
 
 
-def _solve(axis: Axis, extra: tuple[Range, ...], backends: Sequence[Backend], budget: Budget) -> Sized:
-    if budget.left <= 0:
-        return Sized(None, exhausted=True)
-    budget.left -= 1
-    reduced = reduce(axis.lines, axis.size, (*axis.ranges, *extra), axis.pulls)
-    if isinstance(reduced, Contradiction):
-        return Sized(None, reduced)
-    solution = minimum(reduced.problem, backends)
-    if solution.x is None:
-        conflict = Contradiction(_origins(reduced), 0.0)
-        return Sized(None, conflict, exhausted=solution.status == "unknown")
-    positions = reduced.positions(solution.x, axis.size)
-    pairs = sorted(out_of_line(axis, positions), reverse=True)
-    if not pairs:
-        return Sized(positions)
-    sure = [pair for pair in pairs if pair.sure]
-    if sure:
-        together = tuple(row for pair in sure for row in _in_line(pair.rule, pair.first, pair.second))
-        found = _solve(axis, (*extra, *together), backends, budget)
-        if found.positions is not None:
-            return found
-    return _branch(axis, extra, pairs[0], backends, budget)
+def in_line(rule: Aligned, first: Slot, second: Slot) -> tuple[Range, ...]:
+    """Return the rows that put two slots in line."""
+    words = _words_of(first, second)
+    return tuple(
+        Range(rule.axis, add(first.line(share), second.line(share), -1.0), 0.0, 0.0, rule.origin, words)
+        for share in rule.lines
+    )
 
 
-def _branch(
-    axis: Axis, extra: tuple[Range, ...], pair: _Pair, backends: Sequence[Backend], budget: Budget
-) -> Sized:
-    failed = []
-    for rows in (_in_line(pair.rule, pair.first, pair.second), *_apart(pair)):
-        found = _solve(axis, (*extra, *rows), backends, budget)
-        if found.positions is not None:
-            return found
-        failed.append(found)
-    # One branch that nobody can decide does not decide the others, but leaves nothing proved.
-    return Sized(None, failed[-1].conflict, exhausted=any(found.exhausted for found in failed))
+def _words_of(*slots: Slot) -> tuple[str, ...]:
+    """Return the composite regions whose words put the slots where they are, the innermost of each."""
+    return tuple({slot.symbol_path.rpartition("/")[0]: None for slot in slots})
 
 
 def minimum(problem: QP, backends: Sequence[Backend]) -> Solution:
-    """Return the minimiser, its residual checked.
+    """Return the minimiser, its residual checked; or a proof that there is none, checked as well.
 
     A backend that fails, or whose answer does not hold, hands over to the next; where none can tell, the
     status is ``unknown``.
     """
-    if problem.rows.shape[1] == 0:
+    count = problem.rows.shape[1]
+    if count == 0:
         nothing = np.zeros(0)
-        kept = problem.residual(nothing) <= RESIDUAL
-        return Solution("solved", nothing) if kept else Solution("infeasible")
-    if np.any(problem.least > problem.most + RESIDUAL):
-        return Solution("infeasible")
+        if problem.residual(nothing) <= RESIDUAL:
+            return Solution("solved", nothing)
+        missed = np.where(problem.most < 0, 1.0, 0.0) - np.where(problem.least > 0, 1.0, 0.0)
+        return Solution("infeasible", multipliers=problem.refuted(missed))
     for backend in backends:
-        if problem.rows.shape[1] > backend.most_variables:
+        if count > backend.most_variables:
             continue
         solution = backend.solve(problem)
-        if solution.status == "infeasible":
-            return Solution("infeasible")
+        if solution.status == "infeasible" and solution.multipliers is not None:
+            proof = problem.refuted(solution.multipliers)
+            if proof is not None:
+                return Solution("infeasible", multipliers=proof)
         if solution.x is not None and np.all(np.isfinite(solution.x)):
             x = polish(problem, solution.x)
             if problem.residual(x) <= RESIDUAL:
                 return Solution("solved", x)
-    # Solvers stumble over equalities that contradict each other: linear algebra does not.
-    return Solution("unknown" if problem.consistent() else "infeasible")
-
-
-def out_of_line(axis: Axis, positions: Floats) -> Iterator[_Pair]:
-    """Yield every pair that overlaps and whose lines do not coincide."""
-    tolerance = OVERLAP * axis.size
-    for rule in axis.aligned:
-        first, second = (_intervals(slots, positions) for slots in (rule.first, rule.second))
-        starts = np.maximum(first[:, None, 0], second[None, :, 0])
-        overlap = np.minimum(first[:, None, 1], second[None, :, 1]) - starts
-        gap = np.zeros_like(overlap)
-        for share in rule.lines:
-            lines = [(1 - share) * ends[:, 0] + share * ends[:, 1] for ends in (first, second)]
-            gap = np.maximum(gap, np.abs(lines[0][:, None] - lines[1][None, :]))
-        smaller = np.minimum((first[:, 1] - first[:, 0])[:, None], (second[:, 1] - second[:, 0])[None, :])
-        for i, j in np.argwhere((overlap > tolerance) & (gap > tolerance)):
-            if rule.first[i] is not rule.second[j]:
-                sure = bool(overlap[i, j] >= _SURE * smaller[i, j])
-                yield _Pair(float(overlap[i, j]), sure, rule.first[i], rule.second[j], rule)
-
-
-def _intervals(slots: Sequence[Slot], positions: Floats) -> Floats:
-    return np.array([[value(slot.start, positions), value(slot.end, positions)] for slot in slots])
-
-
-def value(form: Form, positions: Floats) -> float:
-    """Return the value of a form."""
-    return float(sum(factor * positions[line] for line, factor in form.items()))
-
-
-def _in_line(rule: Aligned, first: Slot, second: Slot) -> tuple[Range, ...]:
-    rows = []
-    for share in rule.lines:
-        difference = add(first.line(share), second.line(share), -1.0)
-        rows.append(Range(rule.axis, difference, 0.0, 0.0, rule.origin))
-    return tuple(rows)
-
-
-def _apart(pair: _Pair) -> Iterator[tuple[Range, ...]]:
-    axis, origin = pair.rule.axis, pair.rule.origin
-    for before, after in ((pair.first, pair.second), (pair.second, pair.first)):
-        gap = add(after.start, before.end, -1.0)
-        yield (Range(axis, gap, 0.0, float("inf"), origin),)
-
-
-def _origins(reduced: Reduced) -> tuple[Any, ...]:
-    return tuple(dict.fromkeys(o for origins in reduced.origins for o in origins if o is not None))
+    return Solution("unknown")

@@ -1,47 +1,54 @@
-"""Drawing initial sizes: truncated normal distributions about the input's (Bao et al. 2013, section 5.1)."""
+"""Drawing initial sizes: truncated distributions about the input's (Bao et al. 2013, section 5.1)."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
-from statistics import NormalDist
+from collections.abc import Sequence
 
 import numpy as np
 
-from layoutkit.sizing.reduction import Pull
+from layoutkit.sizing.qp import Floats
 from layoutkit.sizing.rules import Target
+from layoutkit.sizing.solve import Drawn
 
-_STANDARD = NormalDist()
 #: Pulls are no stiffer than a deviation of this share of the centre would make them.
 _STIFFEST = 1e-3
 
 
-def draw(target: Target, generator: np.random.Generator) -> float:
-    """Draw from the normal distribution of a target, truncated to its range.
+class Distributions:
+    """The distributions of some targets, as arrays."""
 
-    One number of the generator is used, whatever the distribution.
-    """
-    share = generator.random()
-    if target.deviation == 0.0:
-        return min(max(target.centre, target.least), target.most)
-    low, high = ((end - target.centre) / target.deviation for end in (target.least, target.most))
-    if low > 0:  # keep to the tail with the better resolution
-        return 2 * target.centre - _between(target.centre, target.deviation, -high, -low, 1 - share)
-    return _between(target.centre, target.deviation, low, high, share)
+    def __init__(self, targets: Sequence[Target]) -> None:
+        self.centre = np.array([t.centre for t in targets])
+        self.deviation = np.array([t.deviation for t in targets])
+        self.least = np.array([t.least for t in targets])
+        self.most = np.array([t.most for t in targets])
+        stiffness = np.maximum(self.deviation, _STIFFEST * self.centre)
+        self.weights = np.array([t.weight for t in targets]) / stiffness**2
 
+    def draw(self, generator: np.random.Generator) -> Drawn:
+        """Draw a size for each target: one number of the generator each, whatever the distribution.
 
-def _between(centre: float, deviation: float, low: float, high: float, share: float) -> float:
-    start, end = _STANDARD.cdf(low), _STANDARD.cdf(high)
-    level = start + share * (end - start)
-    if not 0.0 < level < 1.0:  # the whole range lies so far out that the distribution is flat at its near end
-        return centre + deviation * (high if math.isfinite(high) else low)
-    return centre + deviation * min(max(_STANDARD.inv_cdf(level), low), high)
+        A narrow distribution pulls harder, as least squares weigh errors.
+        """
+        return Drawn(self._normal(generator.random(len(self.centre))), self.weights)
 
+    def likeliest(self) -> Drawn:
+        """Return the centres, where nothing is to be drawn."""
+        return Drawn(np.clip(self.centre, self.least, self.most), self.weights)
 
-def pulls(targets: Iterable[Target], generator: np.random.Generator) -> list[Pull]:
-    """Draw a size for each target; a narrow distribution pulls harder, as least squares weigh errors."""
-    found = []
-    for target in targets:
-        deviation = max(target.deviation, _STIFFEST * target.centre)
-        found.append(Pull(target.form, draw(target, generator), target.weight / deviation**2))
-    return found
+    def _normal(self, share: Floats) -> Floats:
+        from scipy.special import ndtr, ndtri
+
+        deviation = np.where(self.deviation > 0, self.deviation, 1.0)
+        low, high = (self.least - self.centre) / deviation, (self.most - self.centre) / deviation
+        # Ranges above the centre are mirrored: the lower tail has the better resolution.
+        mirrored = low > 0
+        low, high = np.where(mirrored, -high, low), np.where(mirrored, -low, high)
+        share = np.where(mirrored, 1 - share, share)
+        start, end = ndtr(low), ndtr(high)
+        level = ndtri(start + share * (end - start))
+        # So far out that the distribution is flat at the near end of the range.
+        level = np.where(np.isfinite(level), level, np.where(np.isfinite(high), high, low))
+        level = np.clip(level, low, high)
+        drawn = self.centre + deviation * np.where(mirrored, -level, level)
+        return np.asarray(np.where(self.deviation > 0, drawn, np.clip(self.centre, self.least, self.most)))

@@ -1,35 +1,47 @@
-"""The search: words first, group by group, then both axes sized at once; back where that fails."""
+"""The search: words first, group by group, then both axes sized at once; back where that fails.
+
+It goes depth first, and jumps back over the choices that a failure has nothing to do with (conflict-directed
+backjumping: Prosser 1993, doi 10.1111/j.1467-8640.1993.tb00310.x). Combinations of words whose sizing was
+refuted are remembered, and not tried again.
+"""
 
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from layoutkit.model import Region
-from layoutkit.sizing.arrangement import Arrangement
-from layoutkit.sizing.layouts import region_tree
+from layoutkit.sizing.plan import Contradiction
 from layoutkit.sizing.qp import Backend
-from layoutkit.sizing.rules import Aligned, Range, SizeRule, Target
-from layoutkit.sizing.solve import Axis, Budget, Sized, size_axis
-from layoutkit_relayout.candidates import Candidates, Word
-from layoutkit_relayout.draws import pulls
+from layoutkit_relayout.candidates import Candidates, Question, Word
+from layoutkit_relayout.measures import Measures
 from layoutkit_relayout.model import Model, WordGroup
 from layoutkit_relayout.outlook import Outlook
 
 #: Successive multiples of it spread evenly over 0 to 1, whatever their number.
 _GOLDEN = 0.6180339887498949
 
-#: Words tried for one group before the search doubts an earlier choice, and QPs solved for one choice of
-#: words before it tries another: few at first, all words at last.
-PATIENCE = ((5, 12), (40, 60), (math.inf, 400))
-#: Stands for the number of a choice when none is known to be at fault.
-_NOBODY = 10**9
-
 Words = Mapping[str, Word]
+#: Numbers of the choices that a failure has to do with.
+Blame = frozenset[int]
+
+
+class Patience(NamedTuple):
+    """Words tried for a group before an earlier choice is doubted, and QPs solved for one choice of words."""
+
+    words: float
+    problems: int
+
+
+#: Few at first, all words at last.
+ROUNDS = (Patience(5, 12), Patience(40, 60), Patience(math.inf, 400))
+#: QPs that a look ahead may cost.
+_AHEAD = 20
 
 
 @dataclass(frozen=True)
@@ -48,18 +60,28 @@ class Found:
 
 
 @dataclass
-class _Progress:
-    """How far a search has come: its budget, its choices, and what it did not look into."""
+class Progress:
+    """How far a search has come: its budget, and what it did not look into."""
 
     nodes: int
-    undecided: bool = False
+    patience: Patience = ROUNDS[-1]
     used: int = 0
-    shares: dict[WordGroup, float] = field(default_factory=dict)
-    choices: list[Words] = field(default_factory=list)
-    patience: float = math.inf
-    problems: int = 400
     cut_short: bool = False
-    culprit: int = _NOBODY
+    undecided: bool = False
+
+
+@dataclass
+class _Level:
+    """A group whose word is being chosen."""
+
+    group: WordGroup
+    question: Question
+    before: Words
+    candidates: Iterator[Word]
+    blame: set[int] = field(default_factory=set)
+    tried: int = 0
+    word: Word = ()
+    cut_short: bool = False
 
 
 class Search:
@@ -72,145 +94,221 @@ class Search:
     """
 
     def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
-        self.model, self.size, self.backends = model, size, tuple(backends)
+        self.model, self.size = model, size
         self.candidates = Candidates(model, size)
+        self.measures = Measures(model, size, backends)
 
     def variation(self, seed: int, index: int, node_limit: int) -> Found:
         """Find one layout; variation `index` of a seed is the same whichever others are made."""
-        generator = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(index,)))
         offsets = np.random.default_rng(np.random.SeedSequence(seed))
-        progress = _Progress(node_limit)
-        for group in self.model.groups:
-            progress.shares[group] = float((offsets.random() + index * _GOLDEN) % 1.0)
-        for progress.patience, progress.problems in PATIENCE:
-            progress.cut_short = progress.undecided = False
-            for words in self._complete({}, generator, progress):
-                root = self._sized(words, generator, progress)
-                if root is not None:
-                    return Found("found", root, progress.used)
-                if progress.used >= progress.nodes:
-                    return Found("limit", None, progress.used)
-            if not progress.cut_short and not progress.undecided:
+        shares = {group: float((offsets.random() + index * _GOLDEN) % 1.0) for group in self.model.groups}
+        progress = Progress(node_limit)
+        for patience in ROUNDS:
+            progress.patience, progress.cut_short, progress.undecided = patience, False, False
+            descent = _Descent(self, progress, shares, _generator(seed, index, 0))
+            for words in descent.complete():
+                sizes = _generator(seed, index, 1)
+                measured = self.measures.whole(words, sizes, patience.problems)
+                if measured.root is not None:
+                    return Found("found", measured.root, progress.used)
+                progress.undecided |= measured.conflict is None
+                descent.fail(measured.conflict)
+            if progress.used >= progress.nodes or not (progress.cut_short or progress.undecided):
                 break
-        undecided = progress.undecided or progress.used >= progress.nodes or not self.candidates.exact
-        return Found("limit" if undecided else "infeasible", None, progress.used)
+        proved = not (progress.undecided or progress.used >= progress.nodes) and self.candidates.exact
+        return Found("infeasible" if proved else "limit", None, progress.used)
 
     def arrangements(self, node_limit: int) -> Iterator[Words]:
-        """Yield the words of every layout that exists, by symbol path, each assignment once."""
-        generator, progress = np.random.default_rng(0), _Progress(node_limit)
-        for words in self._complete({}, generator, progress):
-            if self._sized(words, generator, progress) is not None:
+        """Yield the words of every layout that exists, by symbol path, each assignment once.
+
+        Raises
+        ------
+        Undecided
+            If the budget does not suffice to tell.
+        """
+        progress = Progress(node_limit)
+        generator = np.random.default_rng(0)
+        descent = _Descent(self, progress, {}, generator)
+        for words in descent.complete():
+            measured = self.measures.whole(words, generator, progress.patience.problems)
+            if measured.root is not None:
                 yield words
+            elif measured.conflict is None:
+                raise Undecided(
+                    f"sizing one arrangement takes more than {progress.patience.problems} programs"
+                )
+            else:
+                descent.fail(measured.conflict)
+        if progress.used >= progress.nodes:
+            raise Undecided(f"there are more than {node_limit} words to try")
 
-    def _complete(self, words: Words, generator: np.random.Generator, progress: _Progress) -> Iterator[Words]:
-        """Yield every way to give all reached groups a word, depth first."""
-        outlook = Outlook(self.model, self.size, words)
-        if not outlook.counted():
-            return
-        group = outlook.next_group()
-        if group is None:
-            yield self.model.completed(outlook.words)
-            return
-        question = outlook.question(group)
-        if question is None or not self.candidates.any(group, question):
-            progress.culprit = self._dead_end(group, progress.choices)
-            return
-        share = progress.shares.get(group, 0.5)
-        for tried, word in enumerate(self.candidates.words(group, question, share, generator)):
-            if progress.used >= progress.nodes:
-                return
-            if tried >= progress.patience:
-                progress.cut_short = True
-                return
+
+class Undecided(Exception):  # noqa: N818 - names the fact
+    """A budget ended what was to be told for certain."""
+
+
+def _generator(seed: int, index: int, purpose: int) -> np.random.Generator:
+    """Return the source of a variation's random choices: of words (0), or of sizes (1).
+
+    Sizes have one of their own, so that they do not hang on how many words failed before.
+    """
+    return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(index, purpose)))
+
+
+class _Descent:
+    """One walk through the choices of words."""
+
+    def __init__(
+        self,
+        search: Search,
+        progress: Progress,
+        shares: Mapping[WordGroup, float],
+        generator: np.random.Generator,
+    ) -> None:
+        self.search, self.model = search, search.model
+        self.progress, self.shares, self.generator = progress, shares, generator
+        self.levels: list[_Level] = []
+        self._refuted: defaultdict[tuple[WordGroup, Word], list[frozenset[tuple[WordGroup, Word]]]]
+        self._refuted = defaultdict(list)
+        self._failure: Blame | None = None
+
+    def complete(self) -> Iterator[Words]:
+        """Yield every way to give all reached groups a word; after each, `fail` may say what was wrong."""
+        words: Words | None = {}
+        while words is not None:
+            blame = self._descend(words)
+            if blame is None:
+                self._failure = None
+                yield self.model.completed(self._outlook.words)
+                # After a layout every other choice is as good: none may be jumped over.
+                blame = frozenset(range(len(self.levels))) if self._failure is None else self._failure
+            words = self._next(blame)
+
+    def fail(self, conflict: Contradiction | None) -> None:
+        """Say that the words just yielded cannot be sized; None: nobody knows why, or whether."""
+        if conflict is not None:
+            self._failure = self._blame(conflict)
+        elif math.isfinite(self.progress.patience.words) and self.levels:
+            # Nothing is known of the cause: try elsewhere first, and come back in the last round.
+            self.progress.cut_short = True
+            self._failure = frozenset({int(self.generator.integers(0, len(self.levels)))})
+
+    def _descend(self, words: Words) -> Blame | None:
+        """Open the next group's choice below some words; None where there is nothing left to choose.
+
+        Otherwise the blame if no word fits; an empty level is then not opened.
+        """
+        everyone = frozenset(range(len(self.levels)))
+        while True:
+            self._outlook = Outlook(self.model, self.search.size, words)
+            if not self._outlook.counted():
+                return everyone
+            group = self._outlook.next_group()
+            if group is None:
+                return None
+            question = self._outlook.question(group)
+            if question is None or not self.search.candidates.any(group, question):
+                return frozenset(range(self._dead_since(group)))
+            share = self.shares.get(group, 0.5)
+            candidates = self.search.candidates.words(group, question, share, self.generator)
+            self.levels.append(_Level(group, question, self._outlook.words, candidates))
+            following = self._advance()
+            if following is None:
+                return self._exhausted()
+            words = following
+            everyone = frozenset(range(len(self.levels)))
+
+    def _next(self, blame: Blame) -> Words | None:
+        """Go back to the last choice at fault, and on with its next word; None where none is left."""
+        while True:
+            del self.levels[max(blame, default=-1) + 1 :]
+            if not self.levels:
+                return None
+            own = len(self.levels) - 1
+            self.levels[-1].blame |= blame - {own}
+            following = self._advance()
+            if following is not None:
+                return following
+            blame = self._exhausted()
+
+    def _advance(self) -> Words | None:
+        """Return all words with the next candidate of the last level; None where it has no more."""
+        level, progress = self.levels[-1], self.progress
+        own = len(self.levels) - 1
+        for word in level.candidates:
+            if progress.used >= progress.nodes or level.tried >= progress.patience.words:
+                level.cut_short = True
+                return None
+            level.tried += 1
             progress.used += 1
-            chosen = {**outlook.words, **{m: group.word_of(m, word) for m, _ in question.members}}
-            if not self._goes_on(group, chosen):
-                continue
-            progress.choices.append(chosen)
-            yield from self._complete(chosen, generator, progress)
-            depth = len(progress.choices)
-            progress.choices.pop()
-            if depth > progress.culprit:
-                return  # a choice before this one is at fault, whatever is chosen here
-            progress.culprit = _NOBODY
+            level.word = word
+            if (blame := self._remembered()) is None:
+                members = {m: level.group.word_of(m, word) for m, _ in level.question.members}
+                chosen = {**level.before, **members}
+                blame = self._refused(chosen)
+                if blame is None:
+                    return chosen
+            level.blame |= blame - {own}
+        return None
 
-    def _dead_end(self, group: WordGroup, choices: Sequence[Words]) -> int:
-        """Return the number of the first choice after which no word of a group fits; 0 if none ever does."""
-        for number, words in enumerate([{}, *choices[:-1]]):
-            outlook = Outlook(self.model, self.size, words)
+    def _exhausted(self) -> Blame:
+        """Drop the last level, and return what it failed for: its words' faults, and what narrowed it."""
+        level = self.levels.pop()
+        if level.cut_short:
+            self.progress.cut_short = True
+            return frozenset({len(self.levels) - 1})
+        return frozenset(level.blame) | frozenset(range(self._asked_since(level)))
+
+    def _remembered(self) -> Blame | None:
+        """Return who is at fault if the words chosen include a combination that was refuted."""
+        level = self.levels[-1]
+        chosen = {lvl.group: (number, lvl.word) for number, lvl in enumerate(self.levels)}
+        for refuted in self._refuted.get((level.group, level.word), ()):
+            if all(group in chosen and chosen[group][1] == word for group, word in refuted):
+                return frozenset(chosen[group][0] for group, _ in refuted)
+        return None
+
+    def _blame(self, conflict: Contradiction) -> Blame:
+        """Return the choices that a refuted sizing hangs on, and remember them."""
+        numbers = range(len(self.levels))
+        if conflict.words is not None:
+            groups = {self.model.group_of[p] for path in conflict.words for p in _upwards(path)}
+            numbers = [n for n in numbers if self.levels[n].group in groups]  # type: ignore[assignment]
+        refuted = frozenset((self.levels[n].group, self.levels[n].word) for n in numbers)
+        for pair in refuted:
+            self._refuted[pair].append(refuted)
+        return frozenset(numbers)
+
+    def _refused(self, words: Words) -> Blame | None:
+        """Size the axis of the last group if it is tied to others chosen before it, all else still open."""
+        group = self.levels[-1].group
+        if not any(m in words for g in self.model.neighbours(group) for m in g.members):
+            return None
+        conflict = self.search.measures.ahead(words, self.model.axis(group.members[0]), _AHEAD)
+        return None if conflict is None else self._blame(conflict)
+
+    def _dead_since(self, group: WordGroup) -> int:
+        """Return after how many choices no word of a group fits any more; 0 if none ever does."""
+        for number, words in enumerate(level.before for level in self.levels):
+            outlook = Outlook(self.model, self.search.size, words)
             if any(member in outlook.lengths for member in group.members):
                 question = outlook.question(group)
-                if question is None or not self.candidates.any(group, question):
+                if question is None or not self.search.candidates.any(group, question):
                     return number
-        return len(choices)
+        return len(self.levels)
 
-    def _goes_on(self, group: WordGroup, words: Words) -> bool:
-        """Size the axis of a group that is tied to others chosen before it, all else still open."""
-        if not any(m in words for g in self.model.neighbours(group) for m in g.members):
-            return True
-        axis = self.model.axis(group.members[0])
-        arrangement = self._arranged(words)
-        budget = Budget(20)
-        sized = self._size(arrangement, axis, self.rules(arrangement), np.random.default_rng(0), budget)
-        # What the budget left open is decided when all words are there.
-        return sized.positions is not None or sized.exhausted
-
-    def rules(self, arrangement: Arrangement) -> list[SizeRule]:
-        """Return all rules on an arrangement's sizes."""
-        found: list[SizeRule] = [r for c in self.model.constraints for r in c.size_rules(arrangement)]
-        for path in arrangement.frames:
-            if path in self.model.group_of and path not in arrangement.words:
-                axis = self.model.axis(path)
-                found.append(Range(axis, arrangement.extent(path, axis), *self.model.hull(path, axis), None))
-        return found
-
-    def _size(
-        self,
-        arrangement: Arrangement,
-        axis: int,
-        rules: Sequence[SizeRule],
-        generator: np.random.Generator,
-        budget: Budget,
-    ) -> Sized:
-        own = [rule for rule in rules if rule.axis == axis]
-        problem = Axis(
-            axis,
-            arrangement.lines[axis],
-            self.size[axis],
-            [r for r in own if isinstance(r, Range)] + [r for r in arrangement.replicas if r.axis == axis],
-            pulls((r for r in own if isinstance(r, Target)), generator),
-            [r for r in own if isinstance(r, Aligned)],
-        )
-        return size_axis(problem, self.backends, budget)
-
-    def _sized(self, words: Words, generator: np.random.Generator, progress: _Progress) -> Region | None:
-        """Size both axes of a complete choice of words."""
-        arrangement = Arrangement(self.model.facade, words, self.size)
-        rules = self.rules(arrangement)
-        positions = []
-        for axis in (0, 1):
-            sized = self._size(arrangement, axis, rules, generator, Budget(progress.problems))
-            if sized.positions is None:
-                progress.undecided |= sized.exhausted
-                if not sized.exhausted:
-                    progress.culprit = self._culprit(axis, progress.choices)
-                elif math.isfinite(progress.patience) and progress.choices:
-                    # Nothing is known of the cause: try elsewhere first, and come back in the last round.
-                    progress.culprit = int(generator.integers(1, len(progress.choices) + 1))
-                return None
-            positions.append(sized.positions)
-        return region_tree(arrangement, positions)
-
-    def _culprit(self, axis: int, choices: Sequence[Words]) -> int:
-        """Return the number of the first choice after which an axis can no longer be sized."""
-        for number, words in enumerate(choices[:-1], 1):
-            arrangement = self._arranged(words)
-            rules = self.rules(arrangement)
-            sized = self._size(arrangement, axis, rules, np.random.default_rng(0), Budget(20))
-            if sized.positions is None and not sized.exhausted:
+    def _asked_since(self, level: _Level) -> int:
+        """Return after how many choices the question of a level was what it is now."""
+        for number, earlier in enumerate(self.levels):
+            outlook = Outlook(self.model, self.search.size, earlier.before)
+            reached = any(member in outlook.lengths for member in level.group.members)
+            if reached and outlook.question(level.group) == level.question:
                 return number
-        return len(choices)
+        return len(self.levels)
 
-    def _arranged(self, words: Words) -> Arrangement:
-        """Return what a partial choice of words makes, undecided regions as boxes."""
-        return Arrangement(self.model.facade, self.model.completed(self.model.with_forced(words)), self.size)
+
+def _upwards(path: str) -> Iterator[str]:
+    """Yield a path and all that it lies in."""
+    while path:
+        yield path
+        path = path.rpartition("/")[0]

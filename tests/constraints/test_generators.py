@@ -9,9 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from layoutkit.constraints.generators import (
+    corresponding,
     framed,
     repetition,
     replication,
+    reuse,
     reversal,
     sequences,
     two_shuffle,
@@ -22,7 +24,6 @@ from layoutkit.model import Region, Word
 LETTERS = "abcd"
 REGION = Region("R", 4.0, 1.0, "columns", tuple(Region(s, 1.0, 1.0) for s in LETTERS))
 LISTS = st.text("abc", min_size=1, max_size=5)
-POSITIONS = st.frozensets(st.integers(0, 3))
 
 
 def admitted(words: tuple[Word, ...], letters: str, longest: int) -> set[str]:
@@ -37,30 +38,12 @@ def test_replication_admits_one_word(word: str) -> None:
     assert admitted(replication(word), "abc", len(word) + 1) == {word}
 
 
-@settings(max_examples=50)
-@given(st.integers(1, 4), POSITIONS, POSITIONS)
-def test_repetition_keeps_the_order(count: int, optional: frozenset[int], repeating: frozenset[int]) -> None:
-    word = LETTERS[:count]
-    optional, repeating = (frozenset(p for p in chosen if p < count) for chosen in (optional, repeating))
-    if len(optional) == count:
-        optional -= {0}
-    expected = set()
-    longest = 7 - count // 2
-    for times in product(range(longest + 1), repeat=count):
-        right = all((n > 0 or p in optional) and (n < 2 or p in repeating) for p, n in enumerate(times))
-        if right and sum(times) <= longest:
-            expected.add("".join(s * n for s, n in zip(word, times, strict=True)))
-    assert admitted(repetition(word, optional, repeating), word, longest) == expected
+def test_repetition_of_a_written_pattern() -> None:
+    assert admitted(repetition("a? b+"), "ab", 3) == {"b", "ab", "bb", "abb", "bbb"}
 
 
 def test_repetition_with_everything_optional_still_has_a_symbol() -> None:
-    assert "" not in admitted(repetition("ab", {0, 1}, {1}), "ab", 4)
-    assert admitted(repetition("ab", {0, 1}, {1}), "ab", 3) == {"a", "b", "ab", "bb", "abb", "bbb"}
-
-
-def test_repetition_tells_no_occurrences_apart() -> None:
-    with pytest.raises(ValueError, match="stands twice"):
-        repetition("aba", (), ())
+    assert admitted(repetition("a? b*"), "ab", 3) == {"a", "b", "ab", "bb", "abb", "bbb"}
 
 
 @given(LISTS)
@@ -70,6 +53,23 @@ def test_two_shuffle_pairs_neighbours_both_ways(word: str) -> None:
     found = {tuple(str(s) for s in w.sets) for w in words}
     assert found == {pair for a, b in pairwise(word) for pair in ((a, b), (b, a))}
     assert not any(w.at_start or w.at_end for w in words)
+
+
+def test_two_shuffle_of_labels_and_sets() -> None:
+    assert list(map(str, two_shuffle(["G", "@Space", "I"]))) == [
+        "G @Space",
+        "@Space I",
+        "@Space G",
+        "I @Space",
+    ]
+    word = Word.parse("{G I} H J")
+    assert list(map(str, two_shuffle(word))) == ["{G I} H", "H J", "H {G I}", "J H"]
+
+
+def test_two_shuffle_of_windows_and_doors_between_walls() -> None:
+    """Bao, Schwarz and Wonka 2013, section 6: the columns of the bottom region."""
+    found = {str(word) for word in two_shuffle("GHIHJHG")}
+    assert found == {"G H", "H G", "H I", "I H", "H J", "J H"}
 
 
 @settings(max_examples=50)
@@ -101,6 +101,30 @@ def test_framed_admits_the_words_of_its_chain(
         if word[0] in starts and word[-1] in ends and all(b in after.get(a, ()) for a, b in pairwise(word))
     }
     assert admitted(words, "abc", 5) == expected
+
+
+@pytest.mark.parametrize(
+    ("source", "target", "expected"),
+    [
+        ("PWP", "PDWP", {"P": "P", "W": "W"}),  # by name, wherever they stand
+        ("PWP", "XYX", {"P": "X", "W": "Y"}),  # by place
+        ("PWQ", "XYX", {"P": "X", "W": "Y", "Q": "X"}),
+        ("PWP", "XYZ", None),  # P would be X and Z
+        ("PWP", "XY", None),
+        ("PWPDP", "PXPYP", {"P": "P", "W": "X", "D": "Y"}),
+    ],
+)
+def test_which_symbols_correspond(source: str, target: str, expected: dict[str, str] | None) -> None:
+    one, other = (
+        Region("R", 1.0, 1.0, "columns", tuple(Region(s, 1.0, 1.0) for s in word))
+        for word in (source, target)
+    )
+    assert corresponding(one, other, dict.fromkeys(source)) == expected
+
+
+def test_reuse_exchanges_symbols_and_keeps_labels() -> None:
+    words = [Word.parse("⊢ a {b @Bay}"), Word.parse("b a ⊣")]
+    assert list(map(str, reuse(words, {"a": "x", "b": "y"}))) == ["⊢ x {y @Bay}", "y x ⊣"]
 
 
 def test_only_the_first_sequence_carries_the_comment() -> None:

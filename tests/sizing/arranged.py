@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from layoutkit.model import Facade, Region, Split
 from layoutkit.sizing.arrangement import Arrangement
-from layoutkit.sizing.reduction import Pull
-from layoutkit.sizing.rules import Aligned, Range, SizeRule, Target
-from layoutkit.sizing.solve import Axis
+from layoutkit.sizing.backends import BACKENDS
+from layoutkit.sizing.qp import Backend
+from layoutkit.sizing.rules import Range, SizeRule, Target
+from layoutkit.sizing.solve import Axis, Budget, Drawn, Sized, size_axis
 
 Random = np.random.Generator
 Words = dict[str, tuple[str, ...]]
@@ -53,16 +55,16 @@ def random_words(facade: Facade, random: Random) -> Words:
     return words
 
 
-def pulls(facade: Facade, arrangement: Arrangement, axis: int) -> list[Pull]:
+def pulls(facade: Facade, arrangement: Arrangement, axis: int) -> list[SizeRule]:
     """Pull every region to its size in the input."""
-    found = []
+    found: list[SizeRule] = []
     for path in arrangement.frames:
         size = (facade.regions[path].width, facade.regions[path].height)[axis]
-        found.append(Pull(arrangement.extent(path, axis), size, 1.0 / size**2))
+        found.append(Target(axis, arrangement.extent(path, axis), size, size, 0.0, np.inf))
     return found
 
 
-def positive(facade: Facade, arrangement: Arrangement, axis: int, share: float = 0.01) -> list[Range]:
+def positive(facade: Facade, arrangement: Arrangement, axis: int, share: float = 0.01) -> list[SizeRule]:
     """Keep every region from vanishing."""
     return [
         Range(axis, arrangement.extent(path, axis), share * facade.root.width / 50, np.inf, path)
@@ -70,18 +72,18 @@ def positive(facade: Facade, arrangement: Arrangement, axis: int, share: float =
     ]
 
 
-def axis_of(arrangement: Arrangement, axis: int, rules: list[SizeRule], drawn: list[Pull]) -> Axis:
+def axis_of(arrangement: Arrangement, axis: int, rules: Sequence[SizeRule]) -> Axis:
     """State the sizing of one axis."""
-    own = [rule for rule in rules if rule.axis == axis]
-    assert not any(isinstance(rule, Target) for rule in own)
-    return Axis(
-        axis,
-        arrangement.lines[axis],
-        arrangement.size[axis],
-        [r for r in own if isinstance(r, Range)] + [r for r in arrangement.replicas if r.axis == axis],
-        drawn,
-        [r for r in own if isinstance(r, Aligned)],
+    own = [rule for rule in (*rules, *arrangement.tilings) if rule.axis == axis]
+    return Axis(axis, arrangement.variables[axis], own)
+
+
+def size(axis: Axis, extent: float, budget: int, backends: Sequence[Backend] = BACKENDS) -> Sized:
+    """Size an axis, its regions pulled to the centres of their targets."""
+    drawn = Drawn(
+        np.array([t.centre for t in axis.targets]), np.array([t.deviation**-2.0 for t in axis.targets])
     )
+    return size_axis(axis, extent, drawn, backends, Budget(budget))
 
 
 def two_rows(

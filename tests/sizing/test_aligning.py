@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 from arranged import axis_of, positive, pulls, two_rows, with_constraints
+from arranged import size as sized_by
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -15,9 +16,10 @@ from layoutkit.model import Facade, Layout, RegionSet
 from layoutkit.sizing.arrangement import Arrangement
 from layoutkit.sizing.backends import BACKENDS
 from layoutkit.sizing.layouts import region_tree
+from layoutkit.sizing.overlaps import out_of_line
 from layoutkit.sizing.qp import QP, Backend, Solution
 from layoutkit.sizing.rules import Range, SizeRule
-from layoutkit.sizing.solve import Axis, Budget, Sized, out_of_line, size_axis
+from layoutkit.sizing.solve import Axis, Sized
 
 ALIGNED = Alignment(first=RegionSet("R/F/a"), second=RegionSet("R/G/b"), lines=("left", "right"))
 
@@ -25,37 +27,33 @@ ALIGNED = Alignment(first=RegionSet("R/F/a"), second=RegionSet("R/G/b"), lines=(
 def problem(facade: Facade, extra: Sequence[SizeRule] = ()) -> tuple[Arrangement, Axis]:
     """State the horizontal sizing of a facade at its own size and with its own words."""
     words = {path: region.word for path, region in facade.regions.items() if region.split}
-    arrangement = Arrangement(facade, words, (facade.root.width, facade.root.height))
+    arrangement = Arrangement(facade, words)
     rules = [rule for c in facade.constraints for rule in c.size_rules(arrangement)]
-    rules += [*positive(facade, arrangement, 0), *extra]
-    return arrangement, axis_of(arrangement, 0, rules, pulls(facade, arrangement, 0))
+    rules += [*positive(facade, arrangement, 0), *pulls(facade, arrangement, 0), *extra]
+    return arrangement, axis_of(arrangement, 0, rules)
 
 
 def size(facade: Facade, extra: Sequence[SizeRule] = (), budget: int = 50) -> tuple[Arrangement, Sized]:
     arrangement, axis = problem(facade, extra)
-    return arrangement, size_axis(axis, BACKENDS, Budget(budget))
+    return arrangement, sized_by(axis, facade.root.width, budget)
 
 
 def broken(facade: Facade, arrangement: Arrangement, sized: Sized) -> list[Constraint | None]:
-    assert sized.positions is not None
-    root = region_tree(arrangement, [sized.positions, np.array([0.0, 2.0, 1.0])])
+    assert sized.values is not None
+    root = region_tree(arrangement, [sized.values, np.array([2.0, 1.0, 1.0])])
     layout = Layout("sized", "m", root, facade)
     return [v.constraint for v in layout.violations() if isinstance(v.constraint, Alignment)]
 
 
 def test_pairs_out_of_line_are_found_as_they_overlap() -> None:
     facade = two_rows({"a": 2.0, "x": 4.0}, {"b": 2.5, "y": 3.5}, ("ax", "by"), 6.0)
-    arrangement, axis = problem(with_constraints(facade, ALIGNED))
-    cuts = {path: arrangement.frames[path].cuts[1] for path in ("R/F", "R/G")}
-    positions = np.zeros(arrangement.lines[0])
-    positions[1] = 6.0
-    positions[cuts["R/F"]], positions[cuts["R/G"]] = 2.0, 2.5
-    (pair,) = out_of_line(axis, positions)
+    _, axis = problem(with_constraints(facade, ALIGNED))
+    # The two free variables are where the floors are cut.
+    (pair,) = out_of_line(axis.plan, np.array([2.0, 2.5, 6.0, 1.0]) / 6.0)
     assert (pair.first.symbol_path, pair.second.symbol_path) == ("R/F/a", "R/G/b")
-    assert pair.overlap == pytest.approx(2.0)
+    assert pair.overlap == pytest.approx(2.0 / 6.0)
     assert pair.sure
-    positions[cuts["R/G"]] = 2.0
-    assert list(out_of_line(axis, positions)) == []
+    assert list(out_of_line(axis.plan, np.array([2.0, 2.0, 6.0, 1.0]) / 6.0)) == []
 
 
 def test_overlapping_regions_get_in_line() -> None:
@@ -64,15 +62,15 @@ def test_overlapping_regions_get_in_line() -> None:
     )
     arrangement, sized = size(facade)
     assert broken(facade, arrangement, sized) == []
-    assert sized.positions is not None
+    assert sized.values is not None
     (a,), (b,) = (arrangement.slots(path, 0) for path in ("R/F/a", "R/G/b"))
-    assert [sized.positions @ line_of(s.start, arrangement) for s in (a, b)] == pytest.approx(
-        [sized.positions @ line_of(a.start, arrangement)] * 2
+    assert [sized.values @ line_of(s.start, arrangement) for s in (a, b)] == pytest.approx(
+        [sized.values @ line_of(a.start, arrangement)] * 2
     )
 
 
 def line_of(form: object, arrangement: Arrangement) -> np.ndarray:
-    dense = np.zeros(arrangement.lines[0])
+    dense = np.zeros(arrangement.variables[0] + 1)
     for line, factor in form.items():  # type: ignore[attr-defined]
         dense[line] = factor
     return dense
@@ -91,10 +89,10 @@ def test_regions_that_cannot_be_in_line_move_apart(before: bool) -> None:
     limits = [extent(arrangement, "R/F/a", 1.0, 2.9), extent(arrangement, "R/G/b", 3.05, 5.0)]
     arrangement, sized = size(facade, limits)
     assert broken(facade, arrangement, sized) == []
-    assert sized.positions is not None
+    assert sized.values is not None
     (a,), (b,) = (arrangement.slots(path, 0) for path in ("R/F/a", "R/G/b"))
     first, second = (a, b) if before else (b, a)
-    gap = sized.positions @ (line_of(second.start, arrangement) - line_of(first.end, arrangement))
+    gap = sized.values @ (line_of(second.start, arrangement) - line_of(first.end, arrangement))
     assert gap >= -1e-6
 
 
@@ -105,7 +103,7 @@ def test_no_way_to_align_is_infeasible_not_exhausted() -> None:
     arrangement, _ = problem(facade)
     limits = [extent(arrangement, "R/F/a", 1.0, 2.9), extent(arrangement, "R/G/b", 3.05, 5.0)]
     _, sized = size(facade, limits)
-    assert sized.positions is None
+    assert sized.values is None
     assert not sized.exhausted
     assert sized.conflict is not None
     assert ALIGNED in sized.conflict.origins
@@ -120,7 +118,7 @@ def test_an_exhausted_budget_is_said_to_be(budget: int) -> None:
     arrangement, _ = problem(facade)
     limits = [extent(arrangement, "R/F/a", 0.1, 0.9), extent(arrangement, "R/G/b", 1.0, 1.3)]
     arrangement, sized = size(facade, limits, budget)
-    assert sized.positions is None
+    assert sized.values is None
     assert sized.exhausted
 
 
@@ -144,8 +142,8 @@ def test_what_no_backend_can_tell_proves_nothing() -> None:
         two_rows({"a": 2.0, "x": 4.0}, {"b": 2.5, "y": 3.5}, ("xaxa", "yby"), 12.0), ALIGNED
     )
     _, axis = problem(facade)
-    sized = size_axis(axis, [Undecided()], Budget(50))
-    assert sized.positions is None
+    sized = sized_by(axis, 12.0, 50, [Undecided()])
+    assert sized.values is None
     assert sized.exhausted
 
 
@@ -166,11 +164,11 @@ def test_one_undecided_way_does_not_hide_the_others() -> None:
     upper, lower = {"x": 2.0, "a": 3.0, "z": 5.0}, {"y": 4.0, "b": 3.0, "w": 3.0}
     facade = with_constraints(two_rows(upper, lower, ("xaz", "ybw"), 10.0), ALIGNED)
     arrangement, axis = problem(facade)
-    sized = size_axis(axis, [Doubtful(4)], Budget(50))
+    sized = sized_by(axis, 10.0, 50, [Doubtful(4)])
     assert broken(facade, arrangement, sized) == []
-    assert sized.positions is not None
+    assert sized.values is not None
     (a,), (b,) = (arrangement.slots(path, 0) for path in ("R/F/a", "R/G/b"))
-    assert sized.positions @ (line_of(b.start, arrangement) - line_of(a.end, arrangement)) >= -1e-6
+    assert sized.values @ (line_of(b.start, arrangement) - line_of(a.end, arrangement)) >= -1e-6
 
 
 @given(
@@ -190,5 +188,5 @@ def test_whatever_is_sized_is_in_line(upper: str, lower: str, width: float, line
         sizes = [{s: width / len(word) for s in word} for word in (upper, lower)]
         facade = with_constraints(two_rows(sizes[0], sizes[1], (upper, lower), width), aligned)
         arrangement, sized = size(facade, budget=200)
-        if sized.positions is not None:
+        if sized.values is not None:
             assert broken(facade, arrangement, sized) == []

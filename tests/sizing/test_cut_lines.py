@@ -6,17 +6,15 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from arranged import axis_of, positive, pulls, random_facade, random_words
+from arranged import axis_of, positive, pulls, random_facade, random_words, size
 from hypothesis import given
 from hypothesis import strategies as st
 
 from layoutkit.model import Facade, Layout, Region, place
-from layoutkit.sizing.arrangement import Arrangement, add
-from layoutkit.sizing.backends import BACKENDS
+from layoutkit.sizing.arrangement import Arrangement, add, value
 from layoutkit.sizing.layouts import region_tree
-from layoutkit.sizing.reduction import Classes, merge
-from layoutkit.sizing.rules import Range
-from layoutkit.sizing.solve import Budget, size_axis, value
+from layoutkit.sizing.rules import SIZE, UNIT
+from layoutkit.sizing.substitution import Substitution
 
 SEEDS = st.integers(0, 10**6)
 
@@ -26,23 +24,21 @@ def sized(seed: int) -> tuple[Facade, Arrangement, list[np.ndarray], Region]:
     random = np.random.default_rng(seed)
     facade = random_facade(random)
     words = random_words(facade, random)
-    size = facade.root.width * random.uniform(0.5, 2.0), facade.root.height * random.uniform(0.5, 2.0)
-    arrangement = Arrangement(facade, words, size)
-    positions = []
+    extents = facade.root.width * random.uniform(0.5, 2.0), facade.root.height * random.uniform(0.5, 2.0)
+    arrangement = Arrangement(facade, words)
+    values = []
     for axis in (0, 1):
-        problem = axis_of(
-            arrangement, axis, positive(facade, arrangement, axis), pulls(facade, arrangement, axis)
-        )
-        found = size_axis(problem, BACKENDS, Budget(5))
-        assert found.positions is not None
-        positions.append(found.positions)
-    return facade, arrangement, positions, region_tree(arrangement, positions)
+        rules = [*positive(facade, arrangement, axis), *pulls(facade, arrangement, axis)]
+        found = size(axis_of(arrangement, axis, rules), extents[axis], 5)
+        assert found.values is not None
+        values.append(found.values)
+    return facade, arrangement, values, region_tree(arrangement, values)
 
 
 @given(SEEDS)
 def test_sizes_tile_exactly_and_replicas_are_equal(seed: int) -> None:
-    facade, arrangement, _, root = sized(seed)
-    assert (root.width, root.height) == arrangement.size
+    facade, arrangement, values, root = sized(seed)
+    assert (root.width, root.height) == (values[0][0], values[1][0])
     # The checker's own rules: only default sizes and words, which this facade is not held to, may be broken.
     layout = Layout("sized", "m", root, facade)
     broken = [v for v in layout.violations() if v.constraint is None and "no sequence" not in v.message]
@@ -75,7 +71,7 @@ def test_slots_are_where_the_regions_are(seed: int) -> None:
 def test_slots_stand_in_their_ancestors(seed: int) -> None:
     random = np.random.default_rng(seed)
     facade = random_facade(random)
-    arrangement = Arrangement(facade, random_words(facade, random), (1.0, 1.0))
+    arrangement = Arrangement(facade, random_words(facade, random))
     for path in arrangement.frames:
         for axis in (0, 1):
             for slot in arrangement.slots(path, axis):
@@ -105,59 +101,71 @@ def test_regions_inside_are_counted(seed: int) -> None:
 
 def test_what_is_undecided_is_a_box_and_counts_as_unknown() -> None:
     facade = random_facade(np.random.default_rng(3))
-    arrangement = Arrangement(facade, {}, (2.0, 3.0))
+    arrangement = Arrangement(facade, {})
     assert list(arrangement.frames) == ["R"]
     assert arrangement.count("R", {"R/a"}) == (0, False)
-    assert arrangement.lines == [2, 2]
+    assert arrangement.variables == [1, 1]
 
 
-@given(st.integers(2, 12), st.lists(st.tuples(st.integers(0, 11), st.integers(0, 11)), max_size=20))
-def test_classes_are_those_of_the_equalities(count: int, pairs: list[tuple[int, int]]) -> None:
-    """Union-find against components grown by hand; each class goes by its smallest line."""
-    pairs = [(a % count, b % count) for a, b in pairs if a % count != b % count]
-    classes, remaining = merge(count, [Range(0, {a: 1.0, b: -1.0}, 0.0, 0.0, None) for a, b in pairs])
-    component = {line: {line} for line in range(count)}
-    for _ in range(count):
-        for a, b in pairs:
-            united = component[a] | component[b]
-            for line in united:
-                component[line] = component[line] | united
-    assert [classes.find(line) for line in range(count)] == [min(component[line]) for line in range(count)]
-    assert remaining == []
+@given(st.integers(2, 8), SEEDS)
+def test_substitution_keeps_every_equality(count: int, seed: int) -> None:
+    """Points that the free variables span keep all equalities; they are as many as linear algebra says."""
+    random = np.random.default_rng(seed)
+    forms = []
+    for _row in range(int(random.integers(0, 8))):
+        chosen = random.choice(
+            np.arange(1, count + 1), int(random.integers(1, min(4, count) + 1)), replace=False
+        )
+        form = {int(v): float(random.choice([-2.0, -1.0, 1.0, 3.0])) for v in chosen}
+        forms.append({**form, SIZE: float(random.integers(-1, 2))})
+    substitution = Substitution()
+    left = substitution.take([(form, 1 << n) for n, form in enumerate(forms)], count)
+    free = substitution.free(count + 1)
+    matrix = np.array([[form.get(v, 0.0) for v in range(count + 1)] for form in forms]).reshape(-1, count + 1)
+    assert len(free) == count - np.linalg.matrix_rank(matrix[:, 1:])
+    point = {v: random.uniform() for v in free} | {SIZE: 2.0, UNIT: 1.0}
+    contradicts = np.linalg.matrix_rank(matrix) > np.linalg.matrix_rank(matrix[:, 1:])
+    assert bool(left) == contradicts
+    assert all(form.keys() <= {SIZE, UNIT} for form, _bits in left)
+    if not left:
+        for form in forms:
+            reduced, _why = substitution.reduce(form)
+            assert abs(sum(f * point[v] for v, f in reduced.items())) < 1e-9
 
 
 def test_an_equality_may_show_only_after_others() -> None:
-    """b - a = d - c ties two lines as soon as a and c are one."""
-    ranges = [
-        Range(0, {1: 1.0, 0: -1.0, 3: -1.0, 2: 1.0}, 0.0, 0.0, None),
-        Range(0, {0: 1.0, 2: -1.0}, 0.0, 0.0, None),
-    ]
-    classes, remaining = merge(4, ranges)
-    assert classes.find(1) == classes.find(3)
-    assert remaining == []
+    """b - a = d - c ties two variables as soon as a and c are one; and the reasons are both."""
+    substitution = Substitution()
+    equalities = [({2: 1.0, 1: -1.0, 4: -1.0, 3: 1.0}, 1), ({1: 1.0, 3: -1.0}, 2)]
+    assert substitution.take(equalities, 2) == []
+    assert substitution.reduce({2: 1.0, 4: -1.0}) == ({}, 3)
 
 
-def test_other_equalities_stay() -> None:
-    half = Range(0, {2: 2.0, 0: -1.0, 1: -1.0}, 0.0, 0.0, None)
-    given_ = Range(0, {2: 1.0, 0: -1.0}, 3.0, 3.0, None)
-    classes, remaining = merge(3, [half, given_])
-    assert remaining == [half, given_]
-    assert classes.reduce({2: 1.0, 0: 1.0}) == {2: 1.0, 0: 1.0}
+def test_longer_equalities_stay_where_they_are_to() -> None:
+    substitution = Substitution()
+    half = ({2: 2.0, 1: -1.0, 3: -1.0}, 1)
+    assert substitution.take([half, ({4: 1.0, UNIT: -3.0}, 2)], 2) == [half]
+    assert substitution.reduce({4: 2.0, 1: 1.0}) == ({UNIT: 6.0, 1: 1.0}, 2)
+
+
+@given(st.integers(2, 3000))
+def test_long_chains_of_equalities(count: int) -> None:
+    substitution = Substitution()
+    chain = [({v: 1.0, v + 1: -1.0}, 0) for v in range(count, 0, -1)]
+    assert substitution.take(chain, 2) == []
+    assert substitution.reduce({count + 1: 1.0}) == ({1: 1.0}, 0)
 
 
 def test_forms_cancel() -> None:
     assert add({1: 1.0, 2: 2.0}, {1: 1.0, 2: 1.0}, -1.0) == {2: 1.0}
-    classes = Classes(4)
-    classes.union(3, 1)
-    assert classes.reduce({1: 1.0, 3: -1.0, 2: 1.0}) == {2: 1.0}
 
 
 def test_the_tree_ends_where_the_layout_does() -> None:
     """Rounding of solved positions is spread over the children, not left at the last one."""
     facade = Facade("f", "m", Region("R", 3.0, 1.0, "columns", tuple(Region(s, 1.0, 1.0) for s in "abc")))
-    arrangement = Arrangement(facade, {"R": ("a", "b", "c")}, (3.0, 1.0))
-    off = np.array([0.0, 3.0 + 3e-9, 1.0, 2.0])
-    root = region_tree(arrangement, [off, np.array([0.0, 1.0])])
+    arrangement = Arrangement(facade, {"R": ("a", "b", "c")})
+    off = np.array([3.0, 1.0, 2.0 + 3e-9, 1.0])
+    root = region_tree(arrangement, [off, np.array([1.0, 1.0])])
     assert root.width == 3.0
     assert sum(c.width for c in root.children) == pytest.approx(3.0, abs=1e-15)
     assert {c.height for c in root.children} == {1.0}

@@ -12,9 +12,9 @@ from scipy.optimize import linprog, minimize
 from scipy.sparse import csr_matrix
 
 from layoutkit.sizing.backends import BACKENDS, Clarabel, Daqp, polish
+from layoutkit.sizing.plan import Contradiction, Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Solution
-from layoutkit.sizing.reduction import Contradiction, Pull, Reduced, reduce
-from layoutkit.sizing.rules import Range
+from layoutkit.sizing.rules import SIZE, Range, Target
 from layoutkit.sizing.solve import RESIDUAL, minimum
 
 SEEDS = st.integers(0, 10**6)
@@ -42,6 +42,9 @@ def program(seed: int, feasible: bool = True) -> QP:
         shift = (top + 0.2, np.inf) if np.isfinite(top) else (-np.inf, bottom - 0.2)
         matrix = np.vstack([matrix, matrix[one] + matrix[other]])
         least, most = np.append(least, shift[0]), np.append(most, shift[1])
+    # Sizes and positions lie within the facade; rows say so.
+    matrix = np.vstack([matrix, np.eye(count)])
+    least, most = np.append(least, np.zeros(count)), np.append(most, np.ones(count))
     targets = random.uniform(0, 1, len(differences))
     weights = random.uniform(0.1, 10, len(differences))
     return QP(csr_matrix(differences), targets, weights, csr_matrix(matrix), least, most)
@@ -110,34 +113,53 @@ def stationary(problem: QP, x: np.ndarray) -> bool:
 
 @given(SEEDS)
 def test_that_there_is_nothing_is_proved(seed: int) -> None:
-    """By clarabel's certificate, or by linear algebra; daqp, which has none, only hands over."""
+    """Each backend's multipliers add up to a contradiction; where there is a point, none do."""
     problem = program(seed, feasible=False)
     if infeasible(problem):
         assert minimum(problem, BACKENDS).status == "infeasible"
-        assert Daqp().solve(problem).status == "unknown"
-        assert minimum(problem, [Clarabel()]).status == "infeasible"
+        for backend in BACKENDS:
+            solution = backend.solve(problem)
+            assert solution.status == "infeasible"
+            assert solution.multipliers is not None
+            assert contradicts(problem, solution.multipliers)
 
 
-def infeasible(problem: QP) -> bool:
+def contradicts(problem: QP, multipliers: np.ndarray) -> bool:
+    """Check by linear programming that the rows of a proof alone leave nothing."""
+    kept = multipliers != 0
+    rows = csr_matrix(problem.rows)[kept]
+    part = QP(
+        problem.differences, problem.targets, problem.weights, rows, problem.least[kept], problem.most[kept]
+    )
+    return infeasible(part, (0, 1))
+
+
+@given(SEEDS)
+def test_nothing_refutes_what_has_a_point(seed: int) -> None:
+    problem, random = program(seed), np.random.default_rng(seed)
+    for _ in range(20):
+        assert problem.refuted(random.normal(size=len(problem.least))) is None
+
+
+def infeasible(problem: QP, bounds: tuple[float | None, float | None] = (None, None)) -> bool:
     matrix = problem.rows.toarray()
     kept = [np.isfinite(ends) for ends in (problem.most, problem.least)]
     result = linprog(
         np.zeros(matrix.shape[1]),
         A_ub=np.vstack([matrix[kept[0]], -matrix[kept[1]]]),
         b_ub=np.concatenate([problem.most[kept[0]], -problem.least[kept[1]]]),
-        bounds=(None, None),
+        bounds=bounds,
         method="highs",
     )
     return bool(result.status == 2)
 
 
 def test_equalities_that_contradict_each_other() -> None:
-    """Both solvers give up on these; they are infeasible all the same."""
+    """Solvers stumble over these; they are infeasible all the same."""
     matrix = np.array([[1.0, -0.5, 0, 0], [1, 1, 0, 0], [1, 1, -1, -1], [1, 0, -1, -1]])
     ends = np.array([0.0, 1.0, 0.0, 0.0])
     eye = csr_matrix(np.eye(4))
     problem = QP(eye, np.full(4, 0.5), np.ones(4), csr_matrix(matrix), ends, ends)
-    assert not problem.consistent()
     assert minimum(problem, BACKENDS).status == "infeasible"
 
 
@@ -200,33 +222,77 @@ def test_names_of_the_backends() -> None:
     assert BACKENDS[0].most_variables < BACKENDS[1].most_variables
 
 
+def plan_of(ranges: list[Range], targets: list[Target], variables: int) -> Plan:
+    return make_plan(0, variables, ranges, targets, [])
+
+
+def problem_of(plan: Plan, size: float) -> QP | Contradiction:
+    drawn = np.array([t.centre for t in plan.targets])
+    return plan.problem(size, drawn, np.ones(len(drawn)))
+
+
 def test_nothing_to_decide() -> None:
-    reduced = reduce(2, 5.0, [Range(0, {1: 1.0, 0: -1.0}, 4.0, 6.0, "kept")], [])
-    assert isinstance(reduced, Reduced)
-    assert reduced.problem.rows.shape == (0, 0)
-    assert list(reduced.positions(np.zeros(0), 5.0)) == [0.0, 5.0]
-    assert minimum(reduced.problem, BACKENDS).status == "solved"
+    plan = plan_of([Range(0, {SIZE: 1.0}, 4.0, 6.0, "kept")], [], 1)
+    problem = problem_of(plan, 5.0)
+    assert isinstance(problem, QP)
+    assert problem.rows.shape == (0, 0)
+    assert minimum(problem, BACKENDS).status == "solved"
+    assert list(plan.values(plan.point(np.zeros(0), 5.0), 5.0)) == [5.0, 1.0]
 
 
-def test_what_the_ends_themselves_contradict() -> None:
-    found = reduce(2, 5.0, [Range(0, {1: 1.0, 0: -1.0}, 6.0, 7.0, "too wide")], [])
-    assert found == Contradiction(("too wide",), 1.0)
-    nothing_left = reduce(3, 5.0, [Range(0, {1: 1.0, 0: -1.0}, 0.0, 0.0, "flat")], [])
-    assert isinstance(nothing_left, Contradiction)
-    assert nothing_left.origins == ("flat",)
+def test_what_the_size_itself_contradicts() -> None:
+    """One plan serves every size: it holds at some, and not at others."""
+    plan = plan_of(
+        [Range(0, {SIZE: 1.0}, 6.0, 7.0, "wide"), Range(0, {SIZE: 2.0}, 13.0, 20.0, "wider")], [], 1
+    )
+    assert isinstance(problem_of(plan, 6.8), QP)
+    found = problem_of(plan, 6.2)
+    assert isinstance(found, Contradiction)
+    assert found.origins == ("wider",)
+    assert problem_of(plan, 9.0).origins == ("wide",)  # type: ignore[union-attr]
 
 
-def test_rows_over_the_same_lines_are_one() -> None:
+def test_equalities_that_leave_nothing() -> None:
+    plan = plan_of(
+        [Range(0, {SIZE: 1.0, 1: -1.0}, 0.0, 0.0, "full"), Range(0, {1: 1.0}, 2.0, 2.0, "two")], [], 2
+    )
+    assert isinstance(problem_of(plan, 2.0), QP)
+    assert set(problem_of(plan, 3.0).origins) == {"full", "two"}  # type: ignore[union-attr]
+
+
+def test_rows_over_the_same_variables_are_one() -> None:
     ranges = [
-        Range(0, {2: 1.0, 0: -1.0}, 1.0, 3.0, "a"),
-        Range(0, {2: -2.0, 0: 2.0}, -5.0, -3.0, "b"),
-        Range(0, {1: 1.0, 2: -1.0}, 0.5, np.inf, "c"),
+        Range(0, {1: 1.0}, 1.0, 3.0, "a"),
+        Range(0, {1: -2.0}, -5.0, -3.0, "b"),
+        Range(0, {SIZE: 1.0, 1: -1.0}, 0.5, np.inf, "c"),
     ]
-    reduced = reduce(3, 4.0, ranges, [Pull({2: 1.0, 0: -1.0}, 9.0, 1.0)])
-    assert isinstance(reduced, Reduced)
-    assert reduced.problem.rows.shape == (1, 1)
-    assert reduced.origins == (("a", "b", "c"),)
-    assert (reduced.problem.least[0] * 4, reduced.problem.most[0] * 4) == (1.5, 2.5)
-    solution = minimum(reduced.problem, BACKENDS)
+    plan = plan_of(ranges, [Target(0, {1: 1.0}, 9.0, 1.0, 0.0, 20.0)], 2)
+    problem = problem_of(plan, 4.0)
+    assert isinstance(problem, QP)
+    assert problem.rows.shape == (2, 1)
+    solution = minimum(problem, BACKENDS)
     assert solution.x is not None
-    assert list(reduced.positions(solution.x, 4.0)) == pytest.approx([0.0, 4.0, 2.5])
+    assert plan.values(plan.point(solution.x, 4.0), 4.0) == pytest.approx([4.0, 2.5, 1.0])
+
+
+@given(SEEDS)
+def test_rows_added_later_count_as_if_they_had_been_there(seed: int) -> None:
+    """Whether equalities are solved at once, or added to a plan, the minimum is the same."""
+    random = np.random.default_rng(seed)
+    variables = int(random.integers(3, 7))
+    targets = [Target(0, {v: 1.0}, random.uniform(0, 3), 1.0, 0.0, 9.0) for v in range(1, variables)]
+    bounds = [Range(0, {v: 1.0}, 0.1, 5.0, v) for v in range(1, variables)]
+    extra = []
+    for _row in range(int(random.integers(1, 5))):
+        chosen = random.choice(np.arange(1, variables), 2, replace=False)
+        form = {int(chosen[0]): 1.0, int(chosen[1]): -1.0}
+        extra.append(Range(0, form, 0.0, 0.0 if random.random() < 0.7 else np.inf, "extra"))
+    whole, added = plan_of([*bounds, *extra], targets, variables), plan_of(bounds, targets, variables)
+    found = []
+    for plan in (whole, added.with_rows(extra)):
+        problem = problem_of(plan, 5.0)
+        assert isinstance(problem, QP)
+        solution = minimum(problem, BACKENDS)
+        assert solution.x is not None
+        found.append(plan.values(plan.point(solution.x, 5.0), 5.0))
+    assert found[0] == pytest.approx(found[1], abs=1e-6)

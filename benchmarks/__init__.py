@@ -1,0 +1,1 @@
+"""Measurements: how well annotations are converted, how fast and how surely facades are laid out anew."""

@@ -1,0 +1,106 @@
+"""Minimal conflicts: constraints that cannot hold together, though they could without any one of them.
+
+QuickXplain (Junker 2004, Preferred explanations and relaxations for over-constrained problems, AAAI).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from layoutkit.constraints import Constraint
+from layoutkit_relayout.explanation.bounds import parts
+from layoutkit_relayout.explanation.judge import Judge
+from layoutkit_relayout.explanation.units import Unit, without
+
+Infeasible = Callable[[Sequence[Unit]], bool]
+
+
+@dataclass(frozen=True, eq=False)
+class Core:
+    """Units that cannot hold together.
+
+    Attributes
+    ----------
+    units
+        In the order of their preference.
+    unproved
+        Those of which it is not known whether the others could hold without them.
+    """
+
+    units: tuple[Unit, ...]
+    unproved: frozenset[Unit] = frozenset()
+
+    @property
+    def minimal(self) -> bool:
+        """Whether without any one of them the others can hold."""
+        return not self.unproved
+
+
+def minimal_core(judge: Judge, units: Sequence[Unit], fixed: Sequence[Unit] = ()) -> Core:
+    """Return a minimal conflict among units that are known to be infeasible together.
+
+    Parameters
+    ----------
+    units
+        The more a unit is wanted in the conflict, the further in front: later ones take part only if it
+        cannot be shown without them.
+    fixed
+        Units that take part in any case.
+    """
+    found = quickxplain(lambda some: judge.infeasible([*fixed, *some]), units)
+    # A search that gives up leaves units in that are not needed: the final look goes over all of them.
+    unproved: list[Unit] = []
+    for unit in reversed(found):
+        verdict = judge.ask([*fixed, *without(found, unit)])
+        if verdict.status == "infeasible":
+            found = without(found, unit)
+        elif verdict.status == "limit":
+            unproved.append(unit)
+    return Core(tuple(found), frozenset(unproved))
+
+
+def quickxplain(infeasible: Infeasible, units: Sequence[Unit]) -> list[Unit]:
+    """Return units that are infeasible together, each needed as far as `infeasible` can tell.
+
+    What is returned is proved infeasible even if `infeasible` misses some sets that are.
+
+    Parameters
+    ----------
+    units
+        Infeasible together; the first are preferred.
+    """
+    found = _explain(infeasible, [], [], list(units))
+    order = {unit: number for number, unit in enumerate(units)}
+    return sorted(found, key=order.__getitem__)
+
+
+def _explain(infeasible: Infeasible, held: list[Unit], fresh: list[Unit], units: list[Unit]) -> list[Unit]:
+    """Return what it takes of `units` for a conflict with `held`, of which `fresh` were added last."""
+    if fresh and infeasible(held):
+        return []
+    if len(units) == 1:
+        return units
+    first, second = units[: len(units) // 2], units[len(units) // 2 :]
+    needed = _explain(infeasible, [*held, *first], first, second)
+    return _explain(infeasible, [*held, *needed], needed, first) + needed
+
+
+def narrowed(judge: Judge, core: Core) -> dict[Unit, tuple[Constraint, ...]]:
+    """Return, for each unit of a conflict, what of it takes part: single regions, and one end of a range.
+
+    The parts together still cannot hold.
+    """
+    origins: dict[Unit, Unit] = {}
+    for unit in core.units:
+        pieces = [p for c in unit.constraints for p in parts(c, judge.facade)] if not unit.region else []
+        if len(pieces) > 1:
+            origins |= {Unit.of(piece): unit for piece in pieces}
+    whole = [unit for unit in core.units if unit not in origins.values()]
+    needed = list(origins)
+    if needed and judge.infeasible([*whole, *needed]):
+        needed = quickxplain(lambda some: judge.infeasible([*whole, *some]), needed)
+    found = {unit: unit.constraints for unit in whole}
+    for piece in needed:
+        found[origins[piece]] = (*found.get(origins[piece], ()), *piece.constraints)
+    return {unit: found[unit] for unit in core.units if unit in found}

@@ -1,0 +1,156 @@
+"""Explaining: from a facade and a size to conflicts, remedies and a best effort."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+from layoutkit.constraints import Constraint
+from layoutkit.model import Facade, Region, place
+from layoutkit.model.conflict import Amount, Conflict, Explanation, Member, Remedy
+from layoutkit_relayout.explanation import wording
+from layoutkit_relayout.explanation.best_effort import as_layout, by_value, grown, mildest
+from layoutkit_relayout.explanation.conflict import Core, minimal_core, narrowed
+from layoutkit_relayout.explanation.judge import Judge, Size, Verdict
+from layoutkit_relayout.explanation.remedies import Way, ways_out
+from layoutkit_relayout.explanation.units import Unit, units_of, without
+
+#: Conflicts that are worked out; of more, the first ones are told.
+MOST_CONFLICTS = 4
+
+
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """A conflict, what of each member takes part, and the member that was given up to go on."""
+
+    core: Core
+    parts: Mapping[Unit, tuple[Constraint, ...]]
+    given_up: Unit
+
+
+def explain(
+    facade: Facade,
+    size: Size,
+    *,
+    seed: int = 0,
+    node_limit: int = 60,
+    suspects: Collection[Constraint] = (),
+) -> Explanation:
+    """Explain why there is no layout of a facade at a size.
+
+    Parameters
+    ----------
+    facade
+        Its own constraints are explained, and those that hold by default.
+    node_limit
+        Words tried for each question; there are some dozens.
+    suspects
+        Constraints among which a conflict is known to be, where something is known.
+    """
+    judge = Judge(facade, size, seed, node_limit)
+    units = units_of(facade)
+    found, left, verdict = _conflicts(judge, units, suspects)
+    complete = verdict.root is not None
+    ways = [_ways(judge, units, found, one) if complete else [] for one in found]
+    conflicts = tuple(_told(facade, one, own) for one, own in zip(found, ways, strict=True))
+    root = grown(judge, left) if verdict.root is None else _best(judge, units, found, ways, verdict.root)
+    effort = None if root is None else as_layout(facade, root, seed)
+    return Explanation(size, conflicts, complete, effort)
+
+
+def _conflicts(
+    judge: Judge, units: list[Unit], suspects: Collection[Constraint]
+) -> tuple[list[_Found], list[Unit], Verdict]:
+    """Find conflict after conflict, giving up a member of each; return what is left, and whether it holds."""
+    found: list[_Found] = []
+    left = units
+    verdict = judge.ask(left)
+    while verdict.status == "infeasible" and len(found) < MOST_CONFLICTS:
+        core = minimal_core(judge, _suspected(judge, left, suspects))
+        parts = narrowed(judge, core)
+        candidates = by_value(parts)
+        enough = (u for u in candidates if judge.ask(without(left, u)).status == "found")
+        found.append(_Found(core, parts, next(enough, candidates[0])))
+        left = without(left, found[-1].given_up)
+        verdict = judge.ask(left)
+    return found, left, verdict
+
+
+def _suspected(judge: Judge, units: list[Unit], suspects: Collection[Constraint]) -> list[Unit]:
+    """Return the units with a suspect in them, if those alone are infeasible; else all."""
+    known = {id(constraint) for constraint in suspects}
+    some = [u for u in units if any(id(c) in known for c in (*u.constraints, *u.sources))]
+    return some if some and judge.infeasible(some) else units
+
+
+def _ways(judge: Judge, units: Sequence[Unit], found: Sequence[_Found], one: _Found) -> list[Way]:
+    others = {other.given_up for other in found if other is not one}
+    return ways_out(judge, [unit for unit in units if unit not in others], one.parts)
+
+
+def _best(
+    judge: Judge, units: Sequence[Unit], found: Sequence[_Found], ways: Sequence[list[Way]], root: Region
+) -> Region:
+    """Return a layout that breaks little: of a single conflict the mildest, else what giving up leaves."""
+    return mildest(judge.facade, units, ways[0], root) if len(found) == 1 else root
+
+
+def _told(facade: Facade, found: _Found, ways: Sequence[Way]) -> Conflict:
+    root = next((way.root for way in ways), facade.root)
+    members = []
+    for unit, parts in found.parts.items():
+        regions = _regions(facade, unit, parts)
+        times = wording.repeated(regions[0], root) if len(regions) == 1 and not unit.region else 1
+        members.append(
+            Member(
+                unit.sources,
+                regions,
+                wording.subject(unit, regions, facade) + (f", {times} of" if times > 1 else ""),
+                wording.demand(unit, parts, facade) + (" each" if times > 1 else ""),
+                unit.by_default,
+                unit not in found.core.unproved,
+            )
+        )
+    remedies = tuple(way.remedy for way in ways)
+    return Conflict(tuple(members), _short(ways), remedies)
+
+
+def _regions(facade: Facade, unit: Unit, parts: Sequence[Constraint]) -> tuple[str, ...]:
+    """Return the regions in question: the one whose arrangement it is, or those of which sizes are asked."""
+    if unit.region:
+        return (unit.region,)
+    paths = (path for part in parts for path in _named(facade, part))
+    return tuple(dict.fromkeys(paths))
+
+
+def _named(facade: Facade, constraint: Constraint) -> tuple[str, ...]:
+    """Return the regions that an attribute ``of`` selects."""
+    from layoutkit.constraints import Frequency, Instances
+    from layoutkit.constraints import Size as SizeConstraint
+
+    if isinstance(constraint, SizeConstraint | Instances):
+        return facade.select(constraint.of)
+    return (constraint.within,) if isinstance(constraint, Frequency) else ()
+
+
+def _short(ways: Sequence[Way]) -> tuple[Amount, ...]:
+    """Return by how much a conflict misses: what the outermost extent lacks, and the least count that does.
+
+    With the arrangements as the mildest way has them, the largest change that helps by itself is that of the
+    extent in which all others add up.
+    """
+    measured = [way for way in ways if way.remedy.amount is not None]
+    found = []
+    for units in dict.fromkeys(way.remedy.amount.units for way in measured if way.remedy.amount):
+        own = [way for way in measured if way.remedy.amount and way.remedy.amount.units == units]
+        alike = [way for way in own if _words(way.root) == _words(own[0].root)]
+        amounts = [way.remedy.amount.value for way in alike if way.remedy.amount]
+        found.append(Amount(min(amounts) if units == "regions" else max(amounts), units))
+    return tuple(found)
+
+
+def _words(root: Region) -> frozenset[tuple[str, tuple[str, ...]]]:
+    return frozenset((placed.symbol_path, placed.region.word) for placed in place(root))
+
+
+__all__ = ["MOST_CONFLICTS", "Remedy", "explain"]

@@ -1,0 +1,124 @@
+"""Units: the constraints that stand or fall together when an explanation leaves some of them out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from layoutkit.constraints import Constraint, Instances, Size
+from layoutkit.constraints import Sequence as SequenceConstraint
+from layoutkit.constraints.defaults import InputWord, default_sizes, default_words, effective_constraints
+from layoutkit.constraints.expansion import as_written
+from layoutkit.constraints.size import input_size
+from layoutkit.model import Facade, Measure
+
+#: No region becomes smaller than this share of its input size, whichever constraints are left out, unless one
+#: of its own states a smaller minimum.
+FLOOR = 0.01
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Unit:
+    """Constraints that are left out together, or not at all.
+
+    A sequence is a permission: without one of several, fewer arrangements are valid, not more. So all that
+    say which arrangements a region may have are one unit.
+
+    Attributes
+    ----------
+    constraints
+        What to ask the search for.
+    sources
+        The same as the document has them: a sequence or a generator may speak of several regions, and is then
+        in the unit of each.
+    region
+        Path of the region whose arrangements the unit decides; empty for all others.
+    by_default
+        Whether no document says so.
+    """
+
+    constraints: tuple[Constraint, ...]
+    sources: tuple[Constraint, ...]
+    region: str = ""
+    by_default: bool = False
+
+    @classmethod
+    def of(cls, constraint: Constraint, *, by_default: bool = False) -> Unit:
+        """Return a constraint as a unit of its own."""
+        region = constraint.path if isinstance(constraint, InputWord) else ""
+        return cls((constraint,), (constraint,), region, by_default)
+
+
+def units_of(facade: Facade) -> list[Unit]:
+    """Return all hard constraints that hold for a facade, the likeliest to be worth telling of first.
+
+    First the document's own, in its order; then the arrangements that are kept by default, then the sizes.
+    Soft constraints and such as demand nothing are left out.
+    """
+    defaults: set[Constraint] = {*default_sizes(facade), *default_words(facade)}
+    own, kept, sizes = list[Unit](), list[Unit](), list[Unit]()
+    for constraint in effective_constraints(facade):
+        if constraint.soft or _demands_nothing(constraint):
+            continue
+        if isinstance(constraint, InputWord):
+            kept.append(Unit.of(constraint, by_default=True))
+        elif isinstance(constraint, SequenceConstraint):
+            _join(own, constraint, as_written(facade, constraint))
+        elif constraint in defaults:
+            sizes.append(Unit.of(constraint, by_default=True))
+        else:
+            own.append(Unit.of(constraint))
+    return [*own, *kept, *sizes]
+
+
+def _join(units: list[Unit], sequence: SequenceConstraint, source: Constraint) -> None:
+    """Add a sequence to the unit of each region that it speaks of."""
+    for path in sequence.within:
+        one = replace(sequence, within=(path,))
+        at = next((n for n, unit in enumerate(units) if unit.region == path), None)
+        if at is None:
+            units.append(Unit((one,), (source,), path))
+            continue
+        constraints, sources = units[at].constraints, units[at].sources
+        known = any(source is other for other in sources)
+        units[at] = Unit((*constraints, one), sources if known else (*sources, source), path)
+
+
+def _demands_nothing(constraint: Constraint) -> bool:
+    ranged = isinstance(constraint, Size | Instances)
+    return ranged and constraint.min is None and constraint.max is None  # type: ignore[attr-defined]
+
+
+def background(facade: Facade) -> tuple[Constraint, ...]:
+    """Return what holds whichever units are left out: least sizes, and leave to differ from place to place."""
+    effective = effective_constraints(facade)
+    floors: dict[str, float] = {}
+    for constraint in effective:
+        if isinstance(constraint, Size) and constraint.min is not None:
+            for path in facade.select(constraint.of):
+                share = constraint.bounds(facade, path)[0] / input_size(facade, path)
+                floors[path] = min(floors.get(path, FLOOR), share)
+    # Sizes are drawn as where no constraint speaks of them.
+    drawn = default_sizes(replace(facade, constraints=()))
+    sizes = (
+        replace(size, min=Measure(floors.get(str(size.of), FLOOR), relative=True), max=None) for size in drawn
+    )
+    varied = (c for c in effective if isinstance(c, Instances))
+    return (*sizes, *(replace(c, min=None, max=None, weight=None) for c in varied))
+
+
+def flat(units: Iterable[Unit]) -> tuple[Constraint, ...]:
+    """Return the constraints of units, in their order."""
+    return tuple(constraint for unit in units for constraint in unit.constraints)
+
+
+def without(units: Sequence[Unit], left_out: Unit) -> list[Unit]:
+    """Return all units but one."""
+    return [unit for unit in units if unit is not left_out]
+
+
+def free_regions(facade: Facade, units: Iterable[Unit]) -> list[str]:
+    """Return the composite regions whose arrangements none of the units decides."""
+    decided = {unit.region for unit in units}
+    return [path for path, region in facade.regions.items() if region.split and path not in decided]
+

@@ -1,0 +1,109 @@
+"""Sizing of chosen words: both axes of a whole layout, or one axis ahead of the choices still to come."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from layoutkit.model import Region
+from layoutkit.sizing.arrangement import Arrangement
+from layoutkit.sizing.layouts import region_tree
+from layoutkit.sizing.plan import Contradiction
+from layoutkit.sizing.qp import Backend
+from layoutkit.sizing.rules import Range, SizeRule
+from layoutkit.sizing.solve import Axis, Budget, size_axis
+from layoutkit_relayout.draws import Distributions
+from layoutkit_relayout.model import Model
+
+Words = Mapping[str, tuple[str, ...]]
+
+#: So many choices of words are kept ready to be sized again.
+_KEPT = 64
+
+
+@dataclass(frozen=True)
+class Measured:
+    """The regions of a sized layout; or None, and why, where that is known."""
+
+    root: Region | None
+    conflict: Contradiction | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class _Prepared:
+    """An arrangement with its rules, axis by axis."""
+
+    arrangement: Arrangement
+    axes: tuple[Axis, Axis]
+    distributions: tuple[Distributions, Distributions]
+
+
+class Measures:
+    """Sizes words of one facade; what does not hang on the size or the draw is kept.
+
+    Parameters
+    ----------
+    size
+        Width and height, in document units.
+    """
+
+    def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
+        self.model, self.size, self.backends = model, size, tuple(backends)
+        self._prepared: OrderedDict[frozenset[tuple[str, tuple[str, ...]]], _Prepared] = OrderedDict()
+
+    def whole(self, words: Words, generator: np.random.Generator, problems: int) -> Measured:
+        """Size both axes of a complete choice of words.
+
+        Parameters
+        ----------
+        problems
+            QPs that each axis may cost.
+        """
+        prepared = self._prepare(words)
+        values = []
+        for axis, distributions in zip(prepared.axes, prepared.distributions, strict=True):
+            drawn = distributions.draw(generator)
+            sized = size_axis(axis, self.size[axis.number], drawn, self.backends, Budget(problems))
+            if sized.values is None:
+                return Measured(None, None if sized.exhausted else sized.conflict)
+            values.append(sized.values)
+        return Measured(region_tree(prepared.arrangement, values))
+
+    def ahead(self, words: Words, axis: int, problems: int) -> Contradiction | None:
+        """Return why an axis of a partial choice of words cannot be sized; None if it can, or perhaps can."""
+        prepared = self._prepare(self.model.completed(self.model.with_forced(words)))
+        drawn = prepared.distributions[axis].likeliest()
+        sized = size_axis(prepared.axes[axis], self.size[axis], drawn, self.backends, Budget(problems))
+        # What the budget left open is decided when all words are there.
+        return None if sized.values is not None or sized.exhausted else sized.conflict
+
+    def _prepare(self, words: Words) -> _Prepared:
+        key = frozenset(words.items())
+        if key in self._prepared:
+            self._prepared.move_to_end(key)
+            return self._prepared[key]
+        arrangement = Arrangement(self.model.facade, words)
+        rules = [*self.rules(arrangement), *arrangement.tilings]
+        axes = tuple(Axis(n, arrangement.variables[n], [r for r in rules if r.axis == n]) for n in (0, 1))
+        prepared = _Prepared(
+            arrangement, (axes[0], axes[1]), (Distributions(axes[0].targets), Distributions(axes[1].targets))
+        )
+        self._prepared[key] = prepared
+        if len(self._prepared) > _KEPT:
+            self._prepared.popitem(last=False)
+        return prepared
+
+    def rules(self, arrangement: Arrangement) -> list[SizeRule]:
+        """Return all rules on an arrangement's sizes."""
+        found: list[SizeRule] = [r for c in self.model.constraints for r in c.size_rules(arrangement)]
+        for path in arrangement.frames:
+            if path in self.model.group_of and path not in arrangement.words:
+                axis = self.model.axis(path)
+                low, high = self.model.hull(path, axis)
+                found.append(
+                    Range(axis, arrangement.extent(path, axis), low, high, None, (path.rpartition("/")[0],))
+                )
+        return found
