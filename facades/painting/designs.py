@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from facades.painting.carpet import carpet
+from facades.painting.garden import garden
 from facades.painting.mouldings import (
     balustrade,
     cornice,
@@ -210,5 +211,6 @@ DESIGNS: Mapping[str, Design] = {
     "arcade": _arcade(),
     "townhouse": _townhouse(),
     "palace": _palace(),
+    "garden": garden(),
     "carpet": carpet(),
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from collections.abc import Sequence as ListOf
 from dataclasses import dataclass
@@ -15,8 +16,6 @@ from layoutkit.constraints.view import LayoutView, alike
 from layoutkit.constraints.word_rules import Bound, Variants, WordRule
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, Measure, Region, RegionSet, Violation
-from layoutkit.sizing.arrangement import Arrangement, Slot, add
-from layoutkit.sizing.rules import Form
 
 if TYPE_CHECKING:
     from typing import Self
@@ -140,31 +139,10 @@ def varied(facade: Facade) -> frozenset[str]:
     return found
 
 
-def sizes_of(arrangement: Arrangement, path: str, axis: int) -> list[tuple[Form, int]]:
-    """Return the sizes that a region has along an axis, and how often each counts in its parent.
-
-    Replicas have one size, and count as often as they stand in the parent's word. Where the region, or one
-    that it stands in, may be laid out in several ways, each place has a size of its own, and counts once.
-    """
-    if path not in arrangement.frames:
-        return []
-    if may_differ(path, arrangement.facade):
-        return [(form, 1) for form in sizes_at(arrangement.slots(path, axis), arrangement, axis)]
-    parent, _, symbol = path.rpartition("/")
-    return [(arrangement.extent(path, axis), arrangement.words[parent].count(symbol) if parent else 1)]
+def original(path: str) -> str:
+    """Return the path that documents know a region by: the search names copies that vary ``M~2``, ``M~3``."""
+    return _COPY.sub("", path)
 
 
-def sizes_at(slots: ListOf[Slot], arrangement: Arrangement, axis: int) -> list[Form]:
-    """Return the sizes that a region has at some of its places: a single one, where these are replicas."""
-    if not slots:
-        return []
-    path = slots[0].symbol_path
-    if not may_differ(path, arrangement.facade):
-        return [arrangement.extent(path, axis)]
-    forms = (add(slot.end, slot.start, -1.0) for slot in slots)
-    return list({tuple(sorted(form.items())): form for form in forms}.values())
-
-
-def may_differ(path: str, facade: Facade) -> bool:
-    """Tell whether the region, or one that it stands in, may be laid out in several ways."""
-    return any(path == other or path.startswith(f"{other}/") for other in varied(facade))
+#: No symbol of a document contains a tilde.
+_COPY = re.compile(r"~\d+(?=/|$)")

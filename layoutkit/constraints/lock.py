@@ -128,22 +128,15 @@ class Lock(Constraint):
                 yield Range(axis, form, size, size, self, (path.rpartition("/")[0] or path,))
 
     def _same_shares(self, path: str, arrangement: Arrangement) -> Iterator[Range]:
-        """Yield the share of each child; where they are replicas, that of the last one follows."""
+        """Yield the share of each child; that of the last one follows."""
         source = arrangement.facade.regions[path]
         split = source.split or "columns"
-        axis = AXIS[split]
-        forms: list[Form] = []
-        for symbol, size in {c.symbol: c.extent(split) for c in source.children}.items():
-            child, share = f"{path}/{symbol}", size / source.extent(split)
-            if may_differ(child, arrangement.facade):
-                for slot in arrangement.slots(child, axis):
-                    assert slot.parent is not None  # only the root has none
-                    forms.append(add(_size(slot), _size(slot.parent), -share))
-            elif symbol != source.word[-1]:
-                whole = arrangement.extent(path, axis)
-                forms.append(add(arrangement.extent(child, axis), whole, -share))
-        for form in forms:
-            yield Range(axis, form, 0.0, 0.0, self, (path,))
+        axis, whole = AXIS[split], arrangement.extent(path, AXIS[split])
+        for child in {child.symbol: child for child in source.children}.values():
+            if child.symbol != source.word[-1]:
+                share = child.extent(split) / source.extent(split)
+                form = add(arrangement.extent(f"{path}/{child.symbol}", axis), whole, -share)
+                yield Range(axis, form, 0.0, 0.0, self, (path,))
 
     def _same_place(self, path: str, axis: int, arrangement: Arrangement) -> Iterator[Range]:
         """Yield the offset of each place; or what no size can keep, if there are too many or too few."""

@@ -10,7 +10,6 @@ from typing import ClassVar
 from layoutkit.constraints.attributes import CONTEXT, ENCLOSING, EXTENT, attribute, choice
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.contexts import Context, parents_of, without_extent
-from layoutkit.constraints.instances import sizes_at
 from layoutkit.constraints.references import unknown_composite, unknown_in_word, unknown_names, unknown_path
 from layoutkit.constraints.view import LayoutView
 from layoutkit.diagnostics import Diagnostic
@@ -120,9 +119,8 @@ class SameSize(Constraint):
         if extent.regions is not None:
             for path in facade.select(extent.regions):
                 slots = context.slots(arrangement, path, self.axis)
-                inside = [slot for slot in slots if scope is None or slot.inside(scope)]
-                parent = path.rpartition("/")[0] or path
-                yield from ((parent, form) for form in sizes_at(inside, arrangement, self.axis))
+                if any(scope is None or slot.inside(scope) for slot in slots):
+                    yield path.rpartition("/")[0], arrangement.extent(path, self.axis)
         elif extent.word is not None:
             for path in (p for p in extent.paths if p in arrangement.words):
                 # A run may stand in the scope itself.

@@ -9,7 +9,6 @@ from typing import ClassVar
 
 from layoutkit.constraints.attributes import BIAS, MEASURE, REGIONS, attribute, choice
 from layoutkit.constraints.constraint import Constraint
-from layoutkit.constraints.instances import sizes_of
 from layoutkit.constraints.references import unknown_names
 from layoutkit.constraints.view import LayoutView
 from layoutkit.diagnostics import Diagnostic
@@ -112,11 +111,13 @@ class Size(Constraint):
         return centre, math.sqrt(spans / 36)
 
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
-        """Yield a range and a target for each symbol: its occurrences are replicas, unless they may vary."""
+        """Yield a range and a target for each symbol: its occurrences are replicas."""
         for path, axis, (least, most), (centre, deviation) in self._measures(arrangement.facade):
-            for form, replicas in sizes_of(arrangement, path, axis):
-                yield Range(axis, form, least, most, self, (path.rpartition("/")[0],))
-                weight = float(replicas)
+            if path in arrangement.frames:
+                form = arrangement.extent(path, axis)
+                parent, _, symbol = path.rpartition("/")
+                weight = float(arrangement.words[parent].count(symbol)) if parent else 1.0
+                yield Range(axis, form, least, most, self, (parent,))
                 yield Target(axis, form, centre, deviation, least, most, weight, self.distribution)
 
     def _measures(

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.attributes import PAIRS, PATHS, attribute
 from layoutkit.constraints.constraint import Constraint
-from layoutkit.constraints.instances import varied
 from layoutkit.constraints.references import unknown_composite, unknown_symbols
 from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Mirrored, WordRule
@@ -75,24 +74,18 @@ class Symmetry(Constraint):
                 yield axis, (f"{path}/{one}", f"{path}/{other}")
 
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
-        """Yield an equality for each two that mirror each other, unless they are replicas anyway.
+        """Yield an equality for each two symbols that mirror each other.
 
-        That the word mirrors itself is what the word rules see to.
+        That the word mirrors itself is what the word rules see to; of one symbol, all are equally large.
         """
         facade = arrangement.facade
         for path in (path for path in self.of if path in arrangement.words):
             axis, word = AXIS[facade.regions[path].split or "columns"], arrangement.words[path]
-            said = set()
-            for index, symbol in enumerate(word[: len(word) // 2]):
-                other = len(word) - 1 - index
-                pair = frozenset((symbol, word[other]))
-                alone = {f"{path}/{s}" for s in pair}.isdisjoint(varied(facade))
-                if alone and (len(pair) == 1 or pair in said):
-                    continue
-                said.add(pair)
-                opposite = arrangement.run(path, other, other + 1)
-                difference = add(arrangement.run(path, index, index + 1), opposite, -1.0)
-                yield Range(axis, difference, 0.0, 0.0, self, (path,))
+            half = len(word) // 2
+            for pair in dict.fromkeys(zip(word[:half], reversed(word), strict=False)):
+                one, other = (arrangement.extent(f"{path}/{symbol}", axis) for symbol in pair)
+                if difference := add(one, other, -1.0):
+                    yield Range(axis, difference, 0.0, 0.0, self, (path,))
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every region whose word is no palindrome, and every two partners of different sizes."""

@@ -1,8 +1,8 @@
 """The registry of diagnostic codes: what each means, how it comes about, and what to do.
 
 Groups: LK0 files and safety, LK1 structure, LK2 references and constraints, LK3 conversion, LK4 plugins,
-LK5 layouts against facades, LK6 search, LK7 usage, LK8 masses and buildings, LK9 our own faults. A code keeps its meaning for good;
-retired ones are not given out again.
+LK5 layouts against facades, LK6 search, LK7 usage, LK8 masses and buildings, LK9 our own faults. A code
+keeps its meaning for good; retired ones are not given out again.
 """
 
 from __future__ import annotations
@@ -693,6 +693,7 @@ CODES: Mapping[str, Code] = {
         _LAYOUTS,
         _SEARCH,
         _USAGE,
+        _BUILDINGS,
         _OURS,
     )
     for entry in group

@@ -4,18 +4,23 @@ from layoutkit.documents.document import Document, read
 from layoutkit.documents.files import load, save
 from layoutkit.documents.grammar import NAMESPACE
 from layoutkit.documents.insertion import with_constraints
+from layoutkit.documents.masses import MassDocument, is_mass, read_mass
 from layoutkit.documents.schema import schema
 from layoutkit.documents.validation import check
-from layoutkit.documents.writing import facade_bytes, layout_bytes
+from layoutkit.documents.writing import facade_bytes, layout_bytes, mass_bytes
 
 __all__ = [
     "NAMESPACE",
     "Document",
+    "MassDocument",
     "check",
     "facade_bytes",
+    "is_mass",
     "layout_bytes",
     "load",
+    "mass_bytes",
     "read",
+    "read_mass",
     "save",
     "schema",
     "with_constraints",

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from xml.parsers import expat
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, worst
 from layoutkit.documents.files import load
@@ -15,6 +17,9 @@ from layoutkit.documents.tree import Element, parse
 from layoutkit.model import Block, Footprint, Mass, Part
 from layoutkit.model.facade import Units
 from layoutkit.model.outline import FARTHEST, SHORTEST, fault
+
+#: As many bytes at a time are looked at for the root element.
+_CHUNK = 1 << 12
 
 
 @dataclass(frozen=True)
@@ -31,6 +36,26 @@ class MassDocument:
     name: str
     units: Units
     diagnostics: tuple[Diagnostic, ...]
+
+
+def is_mass(path: Path | str) -> bool:
+    """Tell whether a file's root element is a mass; of what is no XML it is none.
+
+    Raises
+    ------
+    Faulty
+        If the file cannot be read.
+    """
+    names: list[str] = []
+    parser = expat.ParserCreate(namespace_separator=" ")
+    parser.StartElementHandler = lambda name, attributes: names.append(name)
+    source = load(Path(path))
+    with contextlib.suppress(expat.ExpatError, LookupError, ValueError):  # as the reader will say
+        for start in range(0, len(source), _CHUNK):
+            parser.Parse(source[start : start + _CHUNK], start + _CHUNK >= len(source))
+            if names:
+                break
+    return bool(names) and names[0].rpartition(" ")[2] == MASS.name
 
 
 def read_mass(path: Path | str) -> MassDocument:
@@ -61,7 +86,8 @@ def mass_document(root: Element, reading: Reading) -> MassDocument:
     values = reading.values(root, MASS)
     found = _read(root, reading)
     mass = Mass(tuple(part for part, _ in found))
-    reading.diagnostics += _remarks(mass, found)
+    if worst(reading.diagnostics) is not Severity.ERROR:
+        reading.diagnostics += _remarks(mass, found)
     return MassDocument(mass, values.get("name") or "", values.get("units") or "m", reading.ordered())
 
 
@@ -86,9 +112,9 @@ def _read(element: Element, reading: Reading) -> list[tuple[Part, Element]]:
     found = list(_parts(element, reading))
     if not element.children:
         reading.fault("LK107", "<mass> has no part", element, "add a box or a footprint")
-    if worst(reading.diagnostics[before:]) is not Severity.ERROR:
+    if len(reading.diagnostics) == before:
         _check_names(found, reading)
-    if worst(reading.diagnostics[before:]) is not Severity.ERROR and not Mass(tuple(p for p, _ in found)).faces:
+    if len(reading.diagnostics) == before and not Mass(tuple(part for part, _ in found)).faces:
         message = "no face of the mass can be seen: its parts hide one another"
         reading.fault("LK804", message, element, "move the parts apart, or delete some", "mass")
     return found

@@ -13,9 +13,12 @@ from layoutkit.constraints.attributes import Attribute
 from layoutkit.diagnostics import Diagnostic, did_you_mean, nearest
 from layoutkit.documents.grammar import (
     AGAIN,
+    BOX,
     CONSTRAINTS,
     FACADE,
+    FOOTPRINT,
     LAYOUT,
+    MASS,
     NAMESPACE,
     PICTURE,
     REGION,
@@ -24,7 +27,7 @@ from layoutkit.documents.grammar import (
 )
 from layoutkit.documents.tree import Element
 
-_ELEMENTS = {t.name for t in (FACADE, LAYOUT, PICTURE, REGION, AGAIN, CONSTRAINTS)}
+_ELEMENTS = {t.name for t in (FACADE, LAYOUT, MASS, PICTURE, REGION, AGAIN, CONSTRAINTS, BOX, FOOTPRINT)}
 _INSTANCE = "http://www.w3.org/2001/XMLSchema-instance"
 #: Where an editor finds the schema: allowed on every element, and not for us to read.
 _SCHEMA_LOCATIONS = {f"{{{_INSTANCE}}}schemaLocation", f"{{{_INSTANCE}}}noNamespaceSchemaLocation"}

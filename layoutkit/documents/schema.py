@@ -11,9 +11,13 @@ import xml.etree.ElementTree as ET
 from layoutkit.constraints.attributes import AttributeType
 from layoutkit.documents.grammar import (
     AGAIN,
+    BOX,
     CONSTRAINTS,
     FACADE,
+    FOOTPRINT,
     LAYOUT,
+    LAYOUT_MASS,
+    MASS,
     NAMESPACE,
     PICTURE,
     REGION,
@@ -31,7 +35,7 @@ _NAMESPACES = {
 
 
 def schema(kinds: Kinds) -> bytes:
-    """Return the schema of facade and layout documents.
+    """Return the schema of facade, layout and mass documents.
 
     Parameters
     ----------
@@ -39,15 +43,21 @@ def schema(kinds: Kinds) -> bytes:
         Constraint kinds by the name of their element, plugins' kinds among them.
     """
     root = ET.Element("xs:schema", _NAMESPACES)
-    _explain(root, "Facade and layout documents of layoutkit.")
+    _explain(root, "Facade, layout and mass documents of layoutkit.")
     for document in (FACADE, LAYOUT):
         parts = _sequence(_explained(root, "element", document.help, name=document.name), document)
         _explained(parts, "element", PICTURE.help, name=PICTURE.name, type="Picture", minOccurs="0")
+        if document is LAYOUT:
+            _explained(parts, "element", LAYOUT_MASS.help, name=MASS.name, type="Mass", minOccurs="0")
         _explained(parts, "element", ROOT_REGION.help, name=ROOT_REGION.name, type="RootRegion")
         if document is FACADE:
             name = CONSTRAINTS.name
             _explained(parts, "element", CONSTRAINTS.help, name=name, type="Constraints", minOccurs="0")
+    alone = _add(_explained(root, "element", MASS.help, name=MASS.name), "complexType")
+    _add_parts(alone)
+    _add_attributes(alone, MASS)
     _add_attributes(_add(root, "complexType", name="Picture"), PICTURE)
+    _add_parts(_add(root, "complexType", name="Mass"))
     for name, region in (("RootRegion", ROOT_REGION), ("Region", REGION)):
         _add_children(_add(root, "complexType", name=name), region)
     _add_attributes(_add(root, "complexType", name="Again"), AGAIN)
@@ -93,6 +103,14 @@ def _add_children(region: ET.Element, known: ElementType) -> None:
     _explained(more, "element", REGION.help, name=REGION.name, type="Region")
     _explained(more, "element", AGAIN.help, name=AGAIN.name, type="Again")
     _add_attributes(region, known)
+
+
+def _add_parts(mass: ET.Element) -> None:
+    """Declare what a mass holds: boxes and footprints, at least one."""
+    some = _add(mass, "choice", maxOccurs="unbounded")
+    for part in (BOX, FOOTPRINT):
+        element = _explained(some, "element", part.help, name=part.name)
+        _add_attributes(_add(element, "complexType"), part)
 
 
 def _add_attributes(element: ET.Element, known: ElementType) -> None:

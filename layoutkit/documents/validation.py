@@ -8,6 +8,7 @@ from layoutkit.constraints.checking import unkept
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity, worst
 from layoutkit.documents.document import Opened, open_document
 from layoutkit.documents.kinds import Kinds
+from layoutkit.documents.masses import is_mass, read_mass
 from layoutkit.documents.reading import in_order
 from layoutkit.documents.tree import Element
 from layoutkit.model import Layout, Violation
@@ -28,6 +29,8 @@ def check(path: Path | str, kinds: Kinds) -> list[Diagnostic]:
         Constraint kinds by the name of their element.
     """
     try:
+        if is_mass(path):
+            return list(read_mass(path).diagnostics)
         opened = open_document(Path(path), kinds)
     except Faulty as faulty:
         return list(faulty.diagnostics)

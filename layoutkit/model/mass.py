@@ -32,7 +32,7 @@ class Part(ABC):
     Attributes
     ----------
     name
-        Begins the names of its faces; may be empty.
+        Begins the names of its faces, and is that of an only face; may be empty.
     height, base
         How high it is, and the elevation of its foot.
     """
@@ -60,10 +60,12 @@ class Part(ABC):
     def faces(self) -> tuple[Face, ...]:
         """Its faces, in the order of the outline."""
         lines = tuple(self._lines())
-        prefix = f"{self.name}_" if self.name else ""
+        names = self._names(len(lines))
+        if self.name:
+            names = [self.name] if len(lines) == 1 else [f"{self.name}_{name}" for name in names]
         return tuple(
-            Face(f"{prefix}{name}", line, self.base, self.height, shifts)
-            for name, (line, shifts) in zip(self._names(len(lines)), lines, strict=True)
+            Face(name, line, self.base, self.height, shifts)
+            for name, (line, shifts) in zip(names, lines, strict=True)
         )
 
     def holds(self, point: Point, elevation: float) -> bool:

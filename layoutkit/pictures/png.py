@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 #: Pixels a document unit where no photo gives them.
 DEFAULT_SCALE = {"m": 50.0, "px": 1.0}
 
+#: What shows around the faces of a building, which need not be equally high.
+BACKGROUND = "#ffffff"
+
 #: The longest side of a picture, in pixels, unless asked otherwise.
 LONGEST = 4096
 
@@ -74,7 +77,7 @@ def _grid(document: Facade | Layout, photo: Photo | None, scale: float, longest:
 def _by_photo(document: Facade | Layout, photo: Photo, grid: PixelGrid) -> Image:
     from PIL import Image
 
-    canvas = Image.new("RGB", (grid.columns, grid.rows))
+    canvas = Image.new("RGB", (grid.columns, grid.rows), BACKGROUND)
     made: dict[tuple[str, tuple[int, int]], Image.Image] = {}
     for placed, source in sources(document.root, photo.facade):
         left, top, right, bottom = grid.cell(placed.box)
@@ -91,7 +94,7 @@ def _by_photo(document: Facade | Layout, photo: Photo, grid: PixelGrid) -> Image
 def _by_labels(document: Facade | Layout, grid: PixelGrid) -> Image:
     from PIL import Image, ImageDraw
 
-    canvas = Image.new("RGB", (grid.columns, grid.rows))
+    canvas = Image.new("RGB", (grid.columns, grid.rows), BACKGROUND)
     draw = ImageDraw.Draw(canvas)
     for placed in place(document.root):
         if placed.region.terminal:

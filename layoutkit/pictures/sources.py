@@ -18,26 +18,29 @@ def sources(root: Region, facade: Facade) -> Iterator[tuple[PlacedRegion, Placed
     Sources are chosen from the root down: a region's source lies inside its parent's, so that a replicated
     bay or floor comes whole from one bay or floor of the input. Among like siblings, the k-th of a layout
     takes the k-th of the input, counted round where the input has fewer. A layout with the input's own words
-    therefore shows the input.
+    therefore shows the input. Each face of a building shows the whole design.
 
     Parameters
     ----------
     root
         The layout's root region; the facade's own is allowed.
     facade
-        What it is a variation of.
+        What it is a variation of; of a building, the design.
 
     Raises
     ------
     Faulty
         If the layout has a region that the facade lacks (LK501).
     """
-    if root.symbol != facade.root.symbol:
+    whole, source = _placed_root(root), _placed_root(facade.root)
+    if root.split != "faces" and root.symbol != facade.root.symbol:
         raise _unknown(root.symbol, root.symbol, facade)
 
     # Layouts hold many replicas: their sources are few, and each is split once.
     inside: dict[str, _Children] = {}
-    pending = [(_placed_root(root), _placed_root(facade.root))]
+    pending = [(whole, source)]
+    if root.split == "faces":
+        pending = [(face, source) for face in reversed(list(place_children(whole)))]
     while pending:
         placed, source = pending.pop()
         if placed.region.terminal:

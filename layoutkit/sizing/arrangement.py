@@ -11,10 +11,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from layoutkit.model import Facade, Split
-from layoutkit.sizing.qp import Floats
 from layoutkit.sizing.rules import SIZE, Form, Range
+
+if TYPE_CHECKING:
+    from layoutkit.sizing.qp import Floats
 
 #: Axis numbers: x is divided by columns, y (down from the top) by rows.
 AXIS: Mapping[Split, int] = {"columns": 0, "rows": 1, "faces": 0}

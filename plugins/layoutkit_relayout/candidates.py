@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 
 import numpy as np
 
-from layoutkit_relayout.machine import Counting, Machine, TooManyStates, build
-from layoutkit_relayout.model import Interval, Model, WordGroup, meet
+from layoutkit.constraints.word_rules import Automaton
+from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.machine import Counting, Machine, TooManyStates, Walk, build
+from layoutkit_relayout.model import Interval, Model, meet
 from layoutkit_relayout.table import Completions, CompletionTable, Letters
 
 Word = tuple[str, ...]
@@ -84,11 +86,13 @@ class Candidates:
             if fitting.total <= 0:
                 continue
             for attempt in range(DRAWS):
-                word = fitting.draw(share if attempt == 0 and not seen else generator.random())
+                drawn = fitting.draw(share if attempt == 0 and not seen else generator.random())
+                word = fitting.table.machine.spell(drawn)
                 if word not in seen and self._fits(group, question, word):
                     seen.add(word)
                     yield word
-        for word in self.fitting(group, question, question.members[:1], np.inf).words():
+        everything = self.fitting(group, question, question.members[:1], np.inf)
+        for word in map(everything.table.machine.spell, everything.words()):
             if word not in seen and self._fits(group, question, word):
                 yield word
 
@@ -118,14 +122,15 @@ class Candidates:
             How many standard deviations sizes may be off their centres.
         """
         names = tuple(member for member, _ in members)
-        ranges = tuple(
-            NOTHING if letter in question.excluded else self._range(group, letter, names, comfort)
+        ranges = {
+            letter: NOTHING if letter in question.excluded else self._range(group, letter, names, comfort)
             for letter in group.letters
-        )
-        key = (group, question.names, question.counts, ranges, self._reach(names))
+        }
+        key = (group, question.names, question.counts, tuple(ranges.values()), self._reach(names))
         if key not in self._tables:
             machine = self._machine(group, question)
-            least, most = np.array(ranges).reshape(-1, 2).T
+            sums = [_as_wide([ranges[letter] for letter in parts]) for parts in machine.parts]
+            least, most = np.array(sums).reshape(-1, 2).T
             letters = Letters(least, most, self.model.weights(group, machine))
             self._tables[key] = CompletionTable(machine, letters, self._reach(names))
             self.exact &= self._tables[key].exact
@@ -147,13 +152,18 @@ class Candidates:
         """
         key = (group, question.names, question.counts)
         if key not in self._machines:
-            machine, automata = group.machine(question.names), group.automata(question.names)
-            same = {letter: letter for letter in group.letters}
+            machine = group.machine(question.names)
             for inside, least, most in question.counts:
-                counting = Counting(dict(zip(group.letters, inside, strict=True)), least, most)
+                counted = dict(zip(group.letters, inside, strict=True))
+                sums = {
+                    letter: (sum(counted[p][0] for p in parts), sum(counted[p][1] for p in parts))
+                    for letter, parts in zip(machine.letters, machine.parts, strict=True)
+                }
+                same = {letter: letter for letter in machine.letters}
+                both: list[tuple[Automaton, Mapping[str, str]]]
+                both = [(Walk(machine), same), (Counting(sums, least, most), same)]
                 with suppress(TooManyStates):
-                    machine = build(group.letters, [*automata, (counting, same)], MOST_COUNTING)
-                    automata = [*automata, (counting, same)]
+                    machine = replace(build(machine.letters, both, MOST_COUNTING), spelled=machine.spelled)
             self._machines[key] = machine
         return self._machines[key]
 
@@ -169,3 +179,9 @@ class Candidates:
             ):
                 return False
         return True
+
+
+def _as_wide(parts: Sequence[Interval]) -> Interval:
+    """Return the sizes that parts have together which are equally large; none if they cannot be."""
+    low, high = reduce(meet, parts)
+    return (len(parts) * low, len(parts) * high) if low <= high else NOTHING

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -63,11 +64,27 @@ class Machine:
         State after each letter, states × letters; -1 where no word goes on so.
     accepting
         Whether a word may end in each state.
+    spelled
+        What each of its letters stands for: a letter at the near end of the word, and, where words are
+        mirrored, the one that answers it at the far end. None: each letter is itself.
     """
 
     letters: tuple[str, ...]
     next: Ints
     accepting: NDArray[np.bool_]
+    spelled: tuple[tuple[str, ...], ...] | None = None
+
+    @cached_property
+    def parts(self) -> tuple[tuple[str, ...], ...]:
+        """What each letter stands for, near end first."""
+        return tuple((letter,) for letter in self.letters) if self.spelled is None else self.spelled
+
+    def spell(self, word: Sequence[str]) -> tuple[str, ...]:
+        """Return a word of the machine's letters as it reads from end to end."""
+        if self.spelled is None:
+            return tuple(word)
+        parts = [self.parts[self.letters.index(letter)] for letter in word]
+        return (*(part[0] for part in parts), *(part[1] for part in reversed(parts) if len(part) > 1))
 
     @property
     def empty(self) -> bool:
@@ -75,18 +92,24 @@ class Machine:
         return len(self.accepting) == 0
 
     def accepts(self, word: Sequence[str]) -> bool:
-        """Tell whether the word is one of its own."""
+        """Tell whether the word, as it reads from end to end, is one of its own."""
+        letters = {part: letter for letter, part in enumerate(self.parts)}
+        parts: list[tuple[str, ...]] = [(letter,) for letter in word]
+        if self.spelled is not None:
+            half = len(word) // 2
+            parts = [(near, far) for near, far in zip(word[:half], reversed(word), strict=False)]
+            parts += [(letter,) for letter in word[half : len(word) - half]]
         state = -1 if self.empty else 0
-        for letter in word:
-            if state < 0 or letter not in self.letters:
+        for part in parts:
+            if state < 0 or part not in letters:
                 return False
-            state = int(self.next[state, self.letters.index(letter)])
+            state = int(self.next[state, letters[part]])
         return state >= 0 and bool(self.accepting[state])
 
     def needs(self, letter: str) -> bool:
         """Tell whether every word has the letter."""
-        column = self.letters.index(letter)
-        following = np.delete(self.next, column, axis=1)
+        columns = [number for number, part in enumerate(self.parts) if letter in part]
+        following = np.delete(self.next, columns, axis=1)
         reached, pending = {0}, [0]
         while pending:
             state = pending.pop()
@@ -98,18 +121,39 @@ class Machine:
         return True
 
     def only_word(self) -> tuple[str, ...] | None:
-        """Return the word, if it accepts exactly one."""
+        """Return the word, as it reads from end to end, if it accepts exactly one."""
         word: list[str] = []
         state = 0
         while not self.empty and len(word) <= len(self.accepting):
             ways = np.flatnonzero(self.next[state] >= 0)
             if len(ways) == 0:
-                return tuple(word)
+                return self.spell(word)
             if len(ways) > 1 or self.accepting[state]:
                 return None
             word.append(self.letters[ways[0]])
             state = int(self.next[state, ways[0]])
         return None
+
+
+class Walk:
+    """A machine as an automaton, so that it can be multiplied with others."""
+
+    def __init__(self, machine: Machine) -> None:
+        self.machine = machine
+        self._columns = {letter: column for column, letter in enumerate(machine.letters)}
+
+    def start(self) -> int:
+        """Return the first state; -1 where there is no word at all."""
+        return -1 if self.machine.empty else 0
+
+    def step(self, state: int, symbol: str) -> int | None:
+        """Return the state after a letter."""
+        after = -1 if state < 0 else int(self.machine.next[state, self._columns[symbol]])
+        return None if after < 0 else after
+
+    def accepts(self, state: int) -> bool:
+        """Tell whether a word may end here."""
+        return state >= 0 and bool(self.machine.accepting[state])
 
 
 def build(

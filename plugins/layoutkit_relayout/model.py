@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter, defaultdict, deque
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property, reduce
 
 import numpy as np
@@ -14,90 +13,15 @@ from numpy.typing import NDArray
 from layoutkit.constraints import Constraint, Size
 from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.size import axis_of, input_size
-from layoutkit.constraints.word_rules import (
-    Admits,
-    Agree,
-    Anything,
-    Automaton,
-    Counts,
-    Exactly,
-    WordRule,
-)
+from layoutkit.constraints.word_rules import Counts, WordRule
 from layoutkit.model import Facade
 from layoutkit.sizing.arrangement import AXIS
-from layoutkit_relayout.machine import Machine, build, chain
+from layoutkit_relayout.groups import WordGroup, word_groups
+from layoutkit_relayout.machine import Machine
 
 Interval = tuple[float, float]
 Floats = NDArray[np.float64]
 ANY: Interval = (0.0, math.inf)
-
-
-@dataclass(frozen=True, eq=False)
-class WordGroup:
-    """Composite regions that share one word: a single region, or several whose arrangements agree.
-
-    Attributes
-    ----------
-    members
-        Their symbol paths.
-    symbols
-        For each member, its own symbol by letter.
-    letters
-        The shared alphabet.
-    rules
-        For each member, the rules on its word: they count where the layout reaches that member.
-    """
-
-    members: tuple[str, ...]
-    symbols: Mapping[str, Mapping[str, str]]
-    letters: tuple[str, ...]
-    rules: Mapping[str, Sequence[Automaton]]
-
-    @cached_property
-    def _machines(self) -> dict[tuple[object, ...], Machine]:
-        return {}
-
-    def automata(self, members: Iterable[str]) -> list[tuple[Automaton, Mapping[str, str]]]:
-        """Return the rules on some members' word, each once, with the symbols by which it knows letters."""
-        found = {}
-        for member in members:
-            symbols = self.symbols[member]
-            for automaton in self.rules[member]:
-                found[id(automaton), tuple(symbols.items())] = automaton, symbols
-        return list(found.values())
-
-    def machine(self, members: Sequence[str]) -> Machine:
-        """Return the words that the rules of some members accept, counts aside."""
-        automata = self.automata(members)
-        key = tuple((id(automaton), tuple(symbols.items())) for automaton, symbols in automata)
-        if key not in self._machines:
-            first, symbols = automata[0]
-            if len(automata) == 1 and isinstance(first, Exactly):  # most regions: there is nothing to search
-                own = {symbol: letter for letter, symbol in symbols.items()}
-                self._machines[key] = chain(self.letters, [own[s] for s in first.word])
-            else:
-                self._machines[key] = build(self.letters, automata)
-        return self._machines[key]
-
-    @cached_property
-    def forced(self) -> tuple[str, ...] | None:
-        """The word, if there is only one, whichever members a layout reaches."""
-        words = {self.machine((member,)).only_word() for member in self.members}
-        return words.pop() if len(words) == 1 else None
-
-    def always(self, member: str) -> tuple[str, ...]:
-        """Return the letters that every word of a member has."""
-        return tuple(letter for letter in self.letters if self.machine((member,)).needs(letter))
-
-    def letters_of(self, member: str, word: Sequence[str]) -> tuple[str, ...]:
-        """Return a member's word in the group's letters."""
-        own = {symbol: letter for letter, symbol in self.symbols[member].items()}
-        return tuple(own[symbol] for symbol in word)
-
-    def word_of(self, member: str, word: Sequence[str]) -> tuple[str, ...]:
-        """Return the group's word in the symbols of one member."""
-        symbols = self.symbols[member]
-        return tuple(symbols[letter] for letter in word)
 
 
 class Model:
@@ -123,7 +47,7 @@ class Model:
         self.constraints = effective_constraints(facade) if constraints is None else tuple(constraints)
         rules = word_rules(facade, self.constraints)
         self.counts = tuple(rule for rule in rules if isinstance(rule, Counts))
-        self.groups = tuple(_groups(facade, rules))
+        self.groups = tuple(word_groups(facade, rules))
         self.group_of = {path: group for group in self.groups for path in group.members}
         self._bounds, self._shapes = _own_sizes(facade, self.constraints)
         self._hulls: dict[tuple[str, int, float], Interval] = {}
@@ -237,7 +161,9 @@ class Model:
         lows, highs = [low for low, _ in inner], [high for _, high in inner]
         if AXIS[region.split] == axis:
             machine = group.machine((path,))
-            return shortest(machine, lows), longest(machine, highs)
+            return shortest(machine, _summed(machine, group, lows)), longest(
+                machine, _summed(machine, group, highs)
+            )
         always = [inner[group.letters.index(letter)] for letter in group.always(path)]
         return reduce(meet, always, (min(lows), max(highs)))
 
@@ -253,8 +179,8 @@ class Model:
             word = [inner[group.letters.index(letter)] for letter in group.forced]
             return own + sum(low for low, _ in word), own + sum(high for _, high in word)
         machine = group.machine((path,))
-        least = shortest(machine, [low for low, _ in inner])
-        return own + least, own + longest(machine, [high for _, high in inner])
+        least = shortest(machine, _summed(machine, group, [low for low, _ in inner]))
+        return own + least, own + longest(machine, _summed(machine, group, [high for _, high in inner]))
 
     def weights(self, group: WordGroup, machine: Machine) -> Floats:
         """Return the weight of each letter in each state: its share of what may follow, by its frequency.
@@ -264,11 +190,19 @@ class Model:
         """
         symbols = group.symbols[group.members[0]]
         seen = Counter(self.facade.regions[group.members[0]].word)
-        often = np.array([float(seen[symbols[letter]]) for letter in machine.letters])
+        often = np.array(
+            [sum(float(seen[symbols[letter]]) for letter in parts) / len(parts) for parts in machine.parts]
+        )
         shares = np.where(machine.next >= 0, often, 0.0)
         total = shares.sum(axis=1, keepdims=True)
         weights: Floats = np.divide(shares, total, out=np.zeros_like(shares), where=total > 0)
         return weights
+
+
+def _summed(machine: Machine, group: WordGroup, values: Sequence[float]) -> list[float]:
+    """Return, for each letter of a machine, the sum of what its parts have."""
+    own = dict(zip(group.letters, values, strict=True))
+    return [sum(own[letter] for letter in parts) for parts in machine.parts]
 
 
 def meet(one: Interval, other: Interval) -> Interval:
@@ -297,53 +231,6 @@ def _own_sizes(
                 bounds[path] = meet(bounds.get(path, ANY), constraint.bounds(facade, path))
                 shapes[path] = constraint.centre.of(size), constraint.deviation.of(size)
     return bounds, shapes
-
-
-def _groups(facade: Facade, rules: Sequence[WordRule]) -> list[WordGroup]:
-    admitted: defaultdict[str, list[Automaton]] = defaultdict(list)
-    for rule in rules:
-        if isinstance(rule, Admits):
-            admitted[rule.path].append(rule.automaton)
-    composites = [path for path, region in facade.regions.items() if region.split is not None]
-    for path in composites:
-        if path not in admitted:
-            admitted[path].append(Anything())
-    leader = {path: path for path in composites}
-    letters = {path: {c.symbol: c.symbol for c in facade.regions[path].children} for path in composites}
-    for rule in rules:
-        if isinstance(rule, Agree):
-            _join(rule, leader, letters)
-    together: defaultdict[str, list[str]] = defaultdict(list)
-    for path in composites:
-        together[leader[path]].append(path)
-    return [_group(tuple(members), letters, admitted) for members in together.values()]
-
-
-def _join(rule: Agree, leader: dict[str, str], letters: dict[str, dict[str, str]]) -> None:
-    """Unite regions whose words agree; their letters are those of the first."""
-    first, *others = rule.symbols
-    for other in others:
-        if leader[first] == leader[other]:
-            continue
-        # Letters of the first's leader, by the name that this rule gives them.
-        named = {symbol: name for name, symbol in rule.symbols[first].items()}
-        own = {named[symbol]: letter for letter, symbol in letters[first].items() if symbol in named}
-        theirs = {symbol: name for name, symbol in rule.symbols[other].items()}
-        renamed = {letter: own[theirs[symbol]] for letter, symbol in letters[other].items()}
-        old = leader[other]
-        for path in [p for p, first_of in leader.items() if first_of == old]:
-            leader[path] = leader[first]
-            letters[path] = {renamed[letter]: symbol for letter, symbol in letters[path].items()}
-
-
-def _group(
-    members: tuple[str, ...],
-    letters: Mapping[str, Mapping[str, str]],
-    admitted: Mapping[str, Sequence[Automaton]],
-) -> WordGroup:
-    symbols = {member: letters[member] for member in members}
-    shared = tuple(letter for letter in symbols[members[0]] if all(letter in symbols[m] for m in members))
-    return WordGroup(members, symbols, shared, {member: admitted[member] for member in members})
 
 
 def shortest(machine: Machine, sizes: Sequence[float]) -> float:

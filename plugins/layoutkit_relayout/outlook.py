@@ -9,7 +9,8 @@ from functools import cached_property, reduce
 
 from layoutkit.constraints.word_rules import Counts
 from layoutkit_relayout.candidates import Question, Word
-from layoutkit_relayout.model import ANY, Interval, Model, WordGroup, meet
+from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.model import ANY, Interval, Model, meet
 
 Words = Mapping[str, Word]
 Sizes = tuple[Interval, Interval]

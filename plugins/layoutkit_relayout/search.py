@@ -19,8 +19,9 @@ from layoutkit.model import Region
 from layoutkit.sizing.plan import Contradiction
 from layoutkit.sizing.qp import Backend
 from layoutkit_relayout.candidates import Candidates, Question, Word
+from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.measures import Measures
-from layoutkit_relayout.model import Model, WordGroup
+from layoutkit_relayout.model import Model
 from layoutkit_relayout.outlook import Outlook
 
 #: Successive multiples of it spread evenly over 0 to 1, whatever their number.

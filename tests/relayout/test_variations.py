@@ -21,7 +21,7 @@ from layoutkit.documents import layout_bytes, read
 from layoutkit.hooks.specs import Outcome
 from layoutkit.model import Facade, Layout, Measure, Region, RegionSet, place
 from layoutkit.samples import sample_path
-from layoutkit_relayout import model
+from layoutkit_relayout import groups
 from layoutkit_relayout.inference.stage import Infer, InferOptions
 from layoutkit_relayout.machine import build
 from layoutkit_relayout.stage import Relayout, RelayoutOptions
@@ -194,7 +194,7 @@ def test_more_counts_than_tables_have_room_for() -> None:
 
 
 def test_sequences_too_many_to_search_are_said_to_be(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(model, "build", partial(build, most_states=2))
+    monkeypatch.setattr(groups, "build", partial(build, most_states=2))
     outcomes = made(counted(10, 20), count=2)
     assert [(o.status, o.document, [d.code for d in o.diagnostics]) for o in outcomes] == [
         ("limit", None, ["LK601"])

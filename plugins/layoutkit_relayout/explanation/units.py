@@ -121,4 +121,3 @@ def free_regions(facade: Facade, units: Iterable[Unit]) -> list[str]:
     """Return the composite regions whose arrangements none of the units decides."""
     decided = {unit.region for unit in units}
     return [path for path, region in facade.regions.items() if region.split and path not in decided]
-

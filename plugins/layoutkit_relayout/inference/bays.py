@@ -8,11 +8,12 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement
-from layoutkit.constraints.generators import framed, sequences
+from layoutkit.constraints.generators import framed
 from layoutkit.model import Facade, Measure, Region, RegionSet, Word
 from layoutkit_relayout.inference.freedom import Freedom
 from layoutkit_relayout.inference.labels import BAY, PIER, WALLS
 from layoutkit_relayout.inference.lockstep import Lockstep, locksteps
+from layoutkit_relayout.inference.patterns import told
 
 #: A bay is rare that occurs this many times less often than the commonest.
 _RARE = 3
@@ -32,7 +33,7 @@ def bays(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
         for paths in (lockstep.paths,) if coupled else tuple((path,) for path in lockstep.paths):
             part = Lockstep(paths, lockstep.word)
             if (words := _sequences(facade, part, freedom)) is not None:
-                yield from sequences(paths, words, "which bays and piers may be neighbours")
+                yield from told(facade, paths, words, "which bays and piers may be neighbours")
                 yield from _rare(facade, part, freedom)
 
 

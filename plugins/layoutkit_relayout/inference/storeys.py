@@ -6,12 +6,12 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
-from layoutkit.constraints import Sequence
-from layoutkit.constraints.generators import sequences
+from layoutkit.constraints import Constraint
 from layoutkit.model import Facade, Region, RegionSet, Word
 from layoutkit_relayout.inference.freedom import Freedom
 from layoutkit_relayout.inference.labels import FLOOR, GROUNDED, OUTSIDE
 from layoutkit_relayout.inference.lockstep import locksteps
+from layoutkit_relayout.inference.patterns import told
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +36,7 @@ class Storeys:
     foot: tuple[str, ...]
 
 
-def storeys(facade: Facade, freedom: Freedom) -> Iterator[Sequence]:
+def storeys(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
     """Yield sequences for every region whose rows hold at least two floors."""
     for path, region in facade.regions.items():
         if region.split == "rows" and sum(map(is_floor, region.children)) >= 2:
@@ -44,9 +44,8 @@ def storeys(facade: Facade, freedom: Freedom) -> Iterator[Sequence]:
             free = {child.symbol for child in region.children if _may_vary(child)}
             free = {s for s in free if f"{path}/{s}" in shared} or free
             words = _words(_read(region), free, freedom)
-            yield from sequences(
-                [path], words, "upper floors may repeat or be left out, with what is between them"
-            )
+            comment = "upper floors may repeat or be left out, with what is between them"
+            yield from told(facade, [path], words, comment)
 
 
 def is_floor(region: Region) -> bool:

@@ -1,0 +1,82 @@
+"""Words that read the same backwards: machines for their first halves.
+
+Palindromes are no regular language; but those among the words of a finite machine are told by their halves.
+While the first half is read, one state follows it from the start, and a set of states holds those from which
+what it demands of the second half leads to acceptance.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from layoutkit_relayout.machine import MOST_STATES, Machine, TooManyStates, trim
+
+_State = tuple[int, frozenset[int]]
+#: What marks the letter in the middle of a word.
+_MIDDLE = "|"
+
+
+def mirrored(machine: Machine, partners: Mapping[str, str]) -> Machine:
+    """Return a machine for the words that read the same backwards, by their first halves.
+
+    Its letters stand for a letter and its partner at the other end, or for the one in the middle.
+
+    Parameters
+    ----------
+    machine
+        The words to choose from.
+    partners
+        The partner of each letter, its own for most; letters without one are in no such word.
+
+    Raises
+    ------
+    TooManyStates
+        If there are more than machines may have.
+    """
+    if machine.empty:
+        return machine
+    paired = [letter for letter in machine.letters if letter in partners]
+    middles = [letter for letter in paired if partners[letter] == letter]
+    letters = (*paired, *(f"{letter}{_MIDDLE}" for letter in middles))
+    column = {letter: number for number, letter in enumerate(machine.letters)}
+    before = _predecessors(machine)
+    start: _State = (0, frozenset(map(int, np.flatnonzero(machine.accepting))))
+    numbers: dict[_State, int] = {start: 0}
+    rows: list[list[int]] = []
+    accepting: list[bool] = []
+    pending = deque([start])
+    while pending:
+        state, ends = pending.popleft()
+        accepting.append(state in ends)
+        row = []
+        for letter in paired:
+            after = int(machine.next[state, column[letter]])
+            open_ = frozenset(e for end in ends for e in before[column[partners[letter]]].get(end, ()))
+            reached = (after, open_)
+            if after >= 0 and open_ and reached not in numbers:
+                if len(numbers) >= MOST_STATES:
+                    raise TooManyStates(f"more than {MOST_STATES} states of mirrored words")
+                numbers[reached] = len(numbers)
+                pending.append(reached)
+            row.append(numbers[reached] if after >= 0 and open_ else -1)
+        # The middle is read once, from either side: -2 stands for the end behind it.
+        row += [-2 if int(machine.next[state, column[middle]]) in ends else -1 for middle in middles]
+        rows.append(row)
+    following = np.array([*rows, [-1] * len(letters)], dtype=np.int64)
+    following[following == -2] = len(rows)
+    spelled = (*((letter, partners[letter]) for letter in paired), *((letter,) for letter in middles))
+    return replace(trim(letters, following, np.array([*accepting, True])), spelled=spelled)
+
+
+def _predecessors(machine: Machine) -> list[dict[int, list[int]]]:
+    """Return, for each letter, the states from which it leads to each state."""
+    found: list[dict[int, list[int]]] = [{} for _ in machine.letters]
+    for state, row in enumerate(machine.next):
+        for letter, after in enumerate(map(int, row)):
+            if after >= 0:
+                found[letter].setdefault(after, []).append(state)
+    return found
