@@ -27,8 +27,8 @@ TYPES = {
     "measure": "a number of at least 0, in document units or a count; with `%`, a share of the input's",
     "count": "a whole number of at least 0",
     "regions": (
-        "paths such as `Facade/Floor/Bay` and labels such as `@Window`, joined by `|` (or), `&` (and), `-` "
-        "(without), with parentheses"
+        "paths such as `Facade/Floor/Bay`, labels such as `@Window`, and all that is inside a region, "
+        "`Facade/Floor/*`, joined by `|` (or), `&` (and), `-` (without), with parentheses"
     ),
     "extent": "regions; or a run of neighbours, as the path of their parent, a colon, and their symbols",
     "word": (
@@ -39,6 +39,13 @@ TYPES = {
     "pairs": "pairs of symbols of direct subregions, separated by spaces, such as `E:K L:R`",
     "weight": "a number above 0",
     "bias": "a number from -1 to 1",
+    "members": "as regions; a single symbol means a direct subregion of the region that `within` names",
+    "enclosing path": "the path of a region, such as `Facade/Floor`",
+    "pattern": (
+        "a word with marks: `?` behind what may be left out, `+` behind what may be repeated, `*` for both, "
+        "with what comes between two repetitions in brackets, as in `(A B)+[C]`; parentheses group, and `|` "
+        "stands between alternatives"
+    ),
     "path": "the path of a region, such as `Facade/Floor`",
     "paths": "paths, separated by spaces",
 }

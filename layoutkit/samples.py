@@ -20,18 +20,24 @@ class Sample:
         What it shows, in one line.
     path
         Its facade document; the picture lies beside it.
+    mass
+        A mass document to put the facade on, where there is one.
     """
 
     name: str
     description: str
     path: Path
+    mass: Path | None = None
 
 
 def list_samples() -> tuple[Sample, ...]:
     """Return the samples, the simplest first."""
     folder = shipped("facades")
     index = tomllib.loads((folder / "index.toml").read_text(encoding="utf-8"))
-    return tuple(Sample(s["name"], s["description"], folder / s["file"]) for s in index["sample"])
+    return tuple(
+        Sample(s["name"], s["description"], folder / s["file"], folder / s["mass"] if "mass" in s else None)
+        for s in index["sample"]
+    )
 
 
 def sample_path(name: str) -> Path:
@@ -42,7 +48,18 @@ def sample_path(name: str) -> Path:
     Faulty
         If there is none of that name (LK710).
     """
-    samples = {sample.name: sample.path for sample in list_samples()}
+    return find_sample(name).path
+
+
+def find_sample(name: str) -> Sample:
+    """Return a sample.
+
+    Raises
+    ------
+    Faulty
+        If there is none of that name (LK710).
+    """
+    samples = {sample.name: sample for sample in list_samples()}
     if name not in samples:
         message = f"no sample is called {name!r}"
         raise Faulty([Diagnostic("LK710", message, hint=did_you_mean(name, samples), topic="usage")])

@@ -122,9 +122,9 @@ def _lines() -> list[Constraint]:
             ("T", "D", "right"),
         ):
             found += in_line(f"Block/{upper}/{one}", f"Block/{lower}/{other}", lines)
-    for window, opening, line in (("W", "Y", "center"), ("D", "O", "center"), ("D", "X", "center"), ("W", "O", "left")):
-        found += in_line(f"Block/F/{window}", f"Block/G/{opening}", line)
-    return found
+    for window, opening in ("WY", "DO", "DX"):
+        found += in_line(f"Block/F/{window}", f"Block/G/{opening}", "center")
+    return found + in_line("Block/F/W", "Block/G/O", "left")
 
 
 def _equal() -> list[Constraint]:

@@ -122,9 +122,7 @@ def _words() -> list[Constraint]:
     for column in ("W", "N"):
         found += sequences(f"{BODY}/{column}", *STOREYS, "L q Z ⊣", "M Z ⊣")
     found += sequences(f"{BODY}/D", *STOREYS, "L q G ⊣", "M q G ⊣")
-    found += sequences(
-        f"{BODY}/V", "⊢ K y o", "o w o", "o y M", "M z r", "r x r", "r z Z ⊣", "M Z ⊣"
-    )
+    found += sequences(f"{BODY}/V", "⊢ K y o", "o w o", "o y M", "M z r", "r x r", "r z Z ⊣", "M Z ⊣")
     found += sequences(f"{BODY}/E", "⊢ K a", "a b", "b a", "a M", "M a", "a Z ⊣", "M Z ⊣")
     found += sequences("House/Attic", "⊢ e P", *shuffled("P A P B P C P"), "P e ⊣")
     found += sequences(f"{BODY}/D/G/d", "⊢ j l l j ⊣", "⊢ j l j ⊣")

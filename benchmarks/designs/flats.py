@@ -5,7 +5,7 @@ In the way of the paper's figure 14: a dense model of windows in random order, w
 
 from __future__ import annotations
 
-from itertools import combinations, product
+from itertools import combinations, pairwise, product
 
 from benchmarks.designs.parts import (
     Part,
@@ -50,7 +50,7 @@ def _roof() -> Part:
 def _storey(symbol: str) -> Part:
     openings = STOREYS[symbol]
     word = [openings[0]]
-    for one, other in zip(openings, openings[1:], strict=False):
+    for one, other in pairwise(openings):
         wall = PITCH - (OPENINGS[one] + OPENINGS[other]) / 2
         word += [next(name for name, width in WALLS.items() if abs(width - wall) < 1e-9), other]
     ends = _ends(OPENINGS[openings[0]], OPENINGS[openings[-1]])
@@ -69,7 +69,8 @@ def _window(symbol: str) -> Part:
     parts = [leaf("j", 0.1, "Jamb"), leaf("c", width, "Light"), leaf("m", 0.1, "Mullion")]
     word = " ".join(["j", *["c m"] * (leaves - 1), "c j"])
     if symbol == "B":
-        inner = [leaf("h", 0.4, "Hood"), columns("f", 1.7, word, parts), leaf("r", 0.9, "Rail"), leaf("k", 0.2)]
+        ends = [leaf("h", 0.4, "Hood"), leaf("r", 0.9, "Rail"), leaf("k", 0.2)]
+        inner = [*ends, columns("f", 1.7, word, parts)]
         return rows(symbol, OPENINGS[symbol], "h f r k", inner, "Window", "Balcony")
     inner = [leaf("h", 0.7, "Lintel"), columns("f", 1.6, word, parts), leaf("s", 0.9, "Apron")]
     return rows(symbol, OPENINGS[symbol], "h f s", inner, "Window")

@@ -88,9 +88,7 @@ def _band() -> Part:
 
 def _ground() -> Part:
     height = 4.0
-    front = columns(
-        "f", height - 1.0, "j v v j", [leaf("j", 0.1, "Jamb"), leaf("v", 0.6, "Light")]
-    )
+    front = columns("f", height - 1.0, "j v v j", [leaf("j", 0.1, "Jamb"), leaf("v", 0.6, "Light")])
     leaves = columns("f", height - 0.8, "j d d j", [leaf("j", 0.1, "Jamb"), leaf("d", 0.6, "Leaf")])
     parts = [
         leaf("e", 0.8, "Pilaster"),

@@ -130,9 +130,7 @@ def _words() -> list[Constraint]:
         storeys = ("⊢ K a u", "u a u", "u a o", "o a u", "u b d", "d b d", "d b g", "g Z ⊣")
         found += sequences(f"Mansion/{column}", *storeys)
     for wall in "Ew":
-        found += sequences(
-            f"Mansion/{wall}", "⊢ K x", "⊢ K y", "x l", "l z", "z l", "l y", "y Z ⊣"
-        )
+        found += sequences(f"Mansion/{wall}", "⊢ K x", "⊢ K y", "x l", "l z", "z l", "l y", "y Z ⊣")
     walls = ("⊢ K x", "⊢ K y", "x l", "l x", "l y", "x y", "y s", "s v", "v Z ⊣")
     return found + sequences("Mansion/S", *walls)
 

@@ -86,9 +86,7 @@ def _gate() -> Part:
 def _words() -> list[Constraint]:
     found = sequences("Palazzo", "⊢ R T S", "S U S", "S P S", "S G ⊣")
     for storey, (narrow, wide) in STOREYS.items():
-        found += sequences(
-            f"Palazzo/{storey}", "⊢ e w", *shuffled(f"w {narrow} w {wide} w"), "w e ⊣"
-        )
+        found += sequences(f"Palazzo/{storey}", "⊢ e w", *shuffled(f"w {narrow} w {wide} w"), "w e ⊣")
     for path in GLAZED:
         found += sequences(f"{path}/g", "⊢ j c", "c m c", "c j ⊣")
         found += sequences(f"{path}/g/c", "⊢ t r", "r l r", "r l ⊣")

@@ -48,7 +48,11 @@ def _bunch(tile: Tile, middle: float, pitch: float, hanging: bool) -> None:
     ends = height * tile.rng.uniform(0.86, 0.98), tile.rng.normal(0.0, pitch * 0.12)
     for share in np.linspace(-0.42, 0.42, 5):
         tone = jitter(mix(IVORY, _FLOOR, 0.12 + 0.4 * abs(float(share))), tile.rng, 0.05)
-        path = [(middle, 0.0), (middle + share * pitch * 0.5, height * 0.3), (middle + share * pitch + ends[1], ends[0])]
+        path = [
+            (middle, 0.0),
+            (middle + share * pitch * 0.5, height * 0.3),
+            (middle + share * pitch + ends[1], ends[0]),
+        ]
         tile.draw.line([(round(x), round(y if hanging else height - 1 - y)) for x, y in path], tone, 2)
     top, bottom = (0.0, height * 0.2) if hanging else (height * 0.8, float(height))
     tile.draw.ellipse((middle - pitch * 0.34, top, middle + pitch * 0.34, bottom), mix(IVORY, BROWN, 0.12))

@@ -180,6 +180,32 @@ def _palace() -> Design:
     }
 
 
+def _block() -> Design:
+    stone, white, green = (216, 206, 188), (240, 238, 230), (58, 84, 74)
+    wall = brick((150, 92, 74), (196, 184, 166))
+    glass = sash(white, stone, 2, 3)
+    return {
+        "Cornice": cornice(stone, 0.2),
+        "Belt": course(stone),
+        "Plinth": ashlar((150, 144, 134), 1.0, 0.4, depth=0.03),
+        "Edge": ashlar(stone, 1.0, 0.4, depth=0.03),
+        "Pier": wall,
+        "Over": wall,
+        "Under": wall,
+        "Hood": lintel(stone),
+        "Window": glass,
+        "Sill": sill(stone, wall),
+        "Panel": panelled_stall(green),
+        "Light": sash(green, green, 3, 3),
+        "Apron": panelled_stall(green),
+        "Fascia": course(green),
+        "Display": shop_window(green, (176, 86, 60)),
+        "Stall": panelled_stall(green),
+        "Gate/Hood": cornice(stone, 0.25),
+        "Door": panelled_door((96, 56, 44), stone, 2, 0.2),
+    }
+
+
 def framed_panel(wall: tuple[int, int, int], panel: tuple[int, int, int]) -> Painter:
     """Return a painter of a plaster field with a raised panel in it."""
 
@@ -211,6 +237,7 @@ DESIGNS: Mapping[str, Design] = {
     "arcade": _arcade(),
     "townhouse": _townhouse(),
     "palace": _palace(),
+    "block": _block(),
     "garden": garden(),
     "carpet": carpet(),
 }

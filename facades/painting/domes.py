@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PIL import ImageOps
 
-from facades.painting.paving import BUFF, KERB, MARBLE, RED, parapet, red_slabs, slabs, terrace, wall
+from facades.painting.paving import BUFF, KERB, MARBLE, RED, parapet, slabs, terrace, wall
 from facades.painting.plan import Point, around, box, cast, chamfered, disc, dome, inside, octagon, star, tone
-from facades.painting.planting import blooms, potted, CRIMSON, SNOW
+from facades.painting.planting import CRIMSON, SAFFRON, SNOW, blooms, cypress, lawn, potted
 from facades.painting.tile import Colour, Tile, mix
 from facades.painting.walls import Painter, ashlar
 from facades.painting.waterworks import WATER, fountain
@@ -43,8 +43,8 @@ def great_dome(tile: Tile, at: Point, radius: float) -> None:
 def block(tile: Tile, outline: list[Point], height: float, colour: Colour) -> None:
     """Paint a flat roof, `height` metres above the ground: its shadow, its parapet, its surface."""
     cast(tile, [outline], height, 0.46)
-    x = sum(p[0] for p in outline) / len(outline)
-    y = sum(p[1] for p in outline) / len(outline)
+    x = sum((p[0] for p in outline), 0.0) / len(outline)
+    y = sum((p[1] for p in outline), 0.0) / len(outline)
     reach = max(abs(p[0] - x) for p in outline)
     for inset, shade in ((0.0, 0.7), (0.06, 1.2), (0.3, 0.84), (0.42, 1.02)):
         grow = 1 - inset * tile.unit / reach
@@ -57,8 +57,8 @@ def mausoleum(tile: Tile) -> None:
     unit, middle = tile.unit, (tile.width / 2, tile.height / 2)
     half = min(tile.width, tile.height) / 2 * 0.9
     _plinth(tile, middle, half)
-    for x, y in ((-1, -1), (1, -1), (-1, 1), (1, 1)):
-        _minaret(tile, (middle[0] + x * half * 0.87, middle[1] + y * half * 0.87), half * 0.085 / unit)
+    for dx, dy in ((-1, -1), (1, -1), (-1, 1), (1, 1)):
+        _minaret(tile, (middle[0] + dx * half * 0.87, middle[1] + dy * half * 0.87), half * 0.085 / unit)
     side = half * 0.62
     block(tile, chamfered(middle, side, side * 0.36), 2.4, MARBLE)
     _roof(tile, middle, side)
@@ -154,6 +154,22 @@ def kiosk(tile: Tile) -> None:
         potted(tile, at, tile.width * 0.24 / tile.unit)
 
 
+def terrace_lawn(tile: Tile) -> None:
+    """Paint a lawn on the terrace: trees in rows, a pool in the middle."""
+    terrace(tile)
+    width, height = tile.width, tile.height
+    middle = width / 2, height / 2
+    tile.polygon(box(middle, width * 0.96, height * 0.8), KERB)
+    lawn(tile, (width * 0.06, height * 0.11, width * 0.94, height * 0.89))
+    for y in (0.24, 0.76):
+        tile.polygon(star((middle[0], height * y), 8, width * 0.26, width * 0.18), KERB)
+        blooms(tile, star((middle[0], height * y), 8, width * 0.23, width * 0.155), (CRIMSON, SNOW, SAFFRON))
+    for y in (0.16, 0.32, 0.42, 0.58, 0.68, 0.84):
+        for x in (0.2, 0.8):
+            cypress(tile, (width * x, height * y), 0.8)
+    _pool(tile, middle, width * 0.27)
+
+
 def bastion(tile: Tile) -> None:
     """Paint the towers at an end of the terrace, and the wall that joins them."""
     terrace(tile)
@@ -209,7 +225,11 @@ def _gallery_ground(tile: Tile) -> None:
     tile.fill((0, height * 0.88, width, height), (196, 170, 132))
     tile.shadow((0, height * 0.88, width, height), 0.45)
     tile.shadow((0, height * 0.30, width, height * 0.30 + unit), 0.5)
-    inside(tile, (0, height * 0.2, width, height * 0.74), ashlar(tone(RED, 1.12), 1.4, 1.0, joint=0.04, depth=0.03))
+    inside(
+        tile,
+        (0, height * 0.2, width, height * 0.74),
+        ashlar(tone(RED, 1.12), 1.4, 1.0, joint=0.04, depth=0.03),
+    )
     tile.slab((0, height * 0.2, width, height * 0.26), tone(BUFF, 1.1), 0.1)
     tile.fill((0, height * 0.26, width, height * 0.28), tone(RED, 0.6))
     parapet(tile, (0, height * 0.74, width, height * 0.88))
@@ -218,7 +238,7 @@ def _gallery_ground(tile: Tile) -> None:
 def gate(tile: Tile) -> None:
     """Paint the great gate: towers at its corners, a row of small domes over either front."""
     _gallery_ground(tile)
-    unit, (width, height) = tile.unit, (tile.width, tile.height)
+    width, height = tile.width, tile.height
     middle = width / 2, height * 0.48
     tile.polygon(box((middle[0], height * 0.94), width * 0.34, height * 0.12), tone(BUFF, 1.1))
     block(tile, box(middle, width * 0.8, height * 0.8), 2.2, RED)
@@ -256,5 +276,7 @@ def postern(tile: Tile) -> None:
 def corner_tower(tile: Tile) -> None:
     """Paint the tower where the galleries meet the garden's wall."""
     _gallery_ground(tile)
-    inside(tile, (tile.width / 2 - 2.5 * tile.unit, 0, tile.width / 2 + 2.5 * tile.unit, tile.height * 0.3), red_slabs)
+    inside(
+        tile, (tile.width / 2 - 2.5 * tile.unit, 0, tile.width / 2 + 2.5 * tile.unit, tile.height * 0.3), wall
+    )
     tower(tile, (tile.width / 2, tile.height * 0.5), tile.width * 0.48 / tile.unit)

@@ -14,6 +14,7 @@ from facades.painting.domes import (
     mosque,
     postern,
     spout,
+    terrace_lawn,
     wall_pavilion,
 )
 from facades.painting.paving import bridge, crossing, path, stretch, terrace, wall
@@ -31,6 +32,7 @@ def garden() -> Mapping[str, Painter]:
         "Mosque": mosque(facing_east=True),
         "Jawab": mosque(facing_east=False),
         "Court": terrace,
+        "Lawn": terrace_lawn,
         "Kiosk": kiosk,
         "Mausoleum": mausoleum,
         "Wall": wall,

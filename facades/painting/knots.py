@@ -14,7 +14,13 @@ from facades.painting.walls import Painter
 KNOT = 0.004
 
 #: Natural dyes.
-MADDER, ROSE, INDIGO, SKY, IVORY = (152, 42, 38), (204, 112, 92), (30, 42, 82), (104, 140, 164), (234, 220, 188)
+MADDER, ROSE, INDIGO, SKY, IVORY = (
+    (152, 42, 38),
+    (204, 112, 92),
+    (30, 42, 82),
+    (104, 140, 164),
+    (234, 220, 188),
+)
 GOLD, MOSS, LEAF, BROWN = (204, 154, 70), (52, 84, 66), (112, 134, 80), (66, 42, 34)
 
 Point = tuple[float, float]

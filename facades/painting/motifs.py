@@ -110,7 +110,9 @@ def _cypress(q: Quarter, tip: Point, across: Point, form: Point, colour: Colour)
     start, breadth = form
     outline = []
     for share, wide in ((start, 0.25), (start + 0.1, 0.8), (0.45, 1.0), (0.7, 0.7), (1.0, 0.0)):
-        outline.append((tip[0] * share + across[0] * wide * breadth, tip[1] * share + across[1] * wide * breadth))
+        outline.append(
+            (tip[0] * share + across[0] * wide * breadth, tip[1] * share + across[1] * wide * breadth)
+        )
     q.polygon([*outline, (tip[0] * start, tip[1] * start)], colour)
 
 
@@ -119,8 +121,20 @@ def blossom_tile(width: int, height: int) -> Quarter:
     q = Quarter(width, height, MADDER)
     r = min(q.reach) * 0.72
     for x, y in ((1.0, 0.42), (0.42, 1.0)):
-        leaf(q, (q.reach[0] * x * 0.4, q.reach[1] * y * 0.4), (q.reach[0] * x * 0.98, q.reach[1] * y * 0.98), 7, INDIGO)
-        leaf(q, (q.reach[0] * x * 0.4, q.reach[1] * y * 0.4), (q.reach[0] * x * 0.92, q.reach[1] * y * 0.92), 4, LEAF)
+        leaf(
+            q,
+            (q.reach[0] * x * 0.4, q.reach[1] * y * 0.4),
+            (q.reach[0] * x * 0.98, q.reach[1] * y * 0.98),
+            7,
+            INDIGO,
+        )
+        leaf(
+            q,
+            (q.reach[0] * x * 0.4, q.reach[1] * y * 0.4),
+            (q.reach[0] * x * 0.92, q.reach[1] * y * 0.92),
+            4,
+            LEAF,
+        )
     q.polygon(lobes(8, r * 0.72, r), IVORY)
     q.polygon(lobes(8, r * 0.62, r * 0.88), ROSE)
     q.polygon(lobes(8, r * 0.42, r * 0.62), IVORY)
@@ -193,7 +207,14 @@ def arbour(width: int, height: int) -> Quarter:
     q.polygon([(2, 13), (5.5, 24), (6.5, y * 0.5), (3, y * 0.74), (0, y * 0.84), (0, 12)], MOSS)
     for share in (0.26, 0.38, 0.5, 0.62, 0.72):
         q.line([(0, y * share), (4, y * share + 4)], LEAF)
-        sprig(q, (6, y * share), (x - 6.0, y * (share + 0.06)), MADDER if round(share * 50) % 2 else INDIGO, GOLD, MOSS)
+        sprig(
+            q,
+            (6, y * share),
+            (x - 6.0, y * (share + 0.06)),
+            MADDER if round(share * 50) % 2 else INDIGO,
+            GOLD,
+            MOSS,
+        )
     flower(q, (0, 0), 9, MADDER, GOLD, INDIGO)
     leaf(q, (7, 3), (x - 2, 7), 4, MOSS)
     flower(q, (0, y - 6), 3.4, ROSE, GOLD, MADDER)
@@ -216,7 +237,15 @@ def medallion(width: int, height: int) -> Quarter:
             q.polygon(
                 [(root[0] + across[0] * breadth, root[1] + across[1] * breadth), end, root, (0, 0)], colour
             )
-    rings = ((1.0, IVORY), (0.97, BROWN), (0.95, INDIGO), (0.70, GOLD), (0.67, IVORY), (0.44, BROWN), (0.42, ROSE))
+    rings = (
+        (1.0, IVORY),
+        (0.97, BROWN),
+        (0.95, INDIGO),
+        (0.70, GOLD),
+        (0.67, IVORY),
+        (0.44, BROWN),
+        (0.42, ROSE),
+    )
     for share, colour in rings:
         q.polygon(lobes(16 if share > 0.7 else 8, r * share * 0.91, r * share), colour)
     for i, (px, py) in enumerate(turned(16, r * 0.82)):

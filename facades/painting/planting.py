@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from facades.painting.plan import Point, around, cast, disc, dome, octagon, scatter, star, tone
 from facades.painting.paving import KERB, MARBLE
+from facades.painting.plan import Point, around, cast, disc, dome, octagon, scatter, star, tone
 from facades.painting.tile import Colour, Frame, Tile, jitter
 from facades.painting.walls import Painter
 
 GRASS, BOX, EARTH = (110, 142, 66), (58, 92, 46), (96, 70, 48)
-CRIMSON, SAFFRON, VIOLET, SNOW, PINK = (178, 38, 52), (232, 164, 46), (126, 78, 156), (246, 240, 230), (226, 132, 150)
+CRIMSON, SAFFRON, VIOLET, SNOW, PINK = (
+    (178, 38, 52),
+    (232, 164, 46),
+    (126, 78, 156),
+    (246, 240, 230),
+    (226, 132, 150),
+)
 
 
 def lawn(tile: Tile, frame: Frame | None = None) -> None:
@@ -64,7 +70,7 @@ def _within(at: Point, outline: list[Point]) -> bool:
 
 
 def star_bed(tile: Tile) -> None:
-    """Paint a star of flowers in a lawn; at the corners, quarters of beds that meet those of the neighbours."""
+    """Paint a star of flowers in a lawn, and at the corners quarters of beds that the neighbours complete."""
     lawn(tile)
     middle, size = (tile.width / 2, tile.height / 2), min(tile.width, tile.height) / 2
     for x, y in ((0, 0), (tile.width, 0), (0, tile.height), (tile.width, tile.height)):
@@ -132,7 +138,10 @@ def cypress(tile: Tile, at: Point, radius: float) -> None:
     colour = jitter((52, 84, 54), tile.rng, 0.05)
     tile.polygon(star(at, 14, reach, reach * 0.84), tone(colour, 0.7))
     for share, shade in ((0.9, 0.92), (0.62, 1.06), (0.36, 1.2), (0.14, 1.42)):
-        tile.polygon(star((x, y - reach * 0.1 * (1 - share)), 12, reach * share, reach * share * 0.74), tone(colour, shade))
+        tile.polygon(
+            star((x, y - reach * 0.1 * (1 - share)), 12, reach * share, reach * share * 0.74),
+            tone(colour, shade),
+        )
 
 
 def cypresses(tile: Tile) -> None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from facades.painting.paving import KERB, MARBLE, RED, kerbs, parapet, slabs
 from facades.painting.plan import Point, around, banded, box, cast, disc, octagon, scatter, star, tone
 from facades.painting.planting import BOX, CRIMSON, SAFFRON, SNOW, blooms, cypress, lawn
-from facades.painting.paving import KERB, MARBLE, RED, kerbs, parapet, slabs
 from facades.painting.tile import Frame, Tile, mix
 from facades.painting.walls import Painter
 
@@ -15,23 +15,29 @@ _RUNNEL = (0.95, 1.35)
 
 
 def water(tile: Tile, frame: Frame, ripples: float = 1.1) -> None:
-    """Paint still water: darker under its northern edge, with a few glints."""
-    left, top, right, bottom = frame
+    """Paint still water, with a few glints."""
+    left, _, right, _ = frame
     tile.fill(frame, WATER)
-    tile.shadow((left, top, right, min(bottom, top + 0.5 * tile.unit)), 0.28)
 
     def glint(at: Point) -> None:
         x, y = at
         reach = tile.rng.uniform(0.15, 0.45) * tile.unit
         colour = mix(WATER, (236, 248, 248), tile.rng.uniform(0.2, 0.5))
-        tile.draw.line((max(left, x - reach), y, min(right - 1, x + reach), y), colour, max(1, round(0.07 * tile.unit)))
+        tile.draw.line(
+            (max(left, x - reach), y, min(right - 1, x + reach), y), colour, max(1, round(0.07 * tile.unit))
+        )
 
     scatter(tile, frame, ripples, glint)
 
 
 def fountain(tile: Tile, at: Point, radius: float) -> None:
     """Paint a jet and its rings, the outer one `radius` metres wide."""
-    for share, colour in ((1.0, mix(WATER, SNOW, 0.35)), (0.82, WATER), (0.62, mix(WATER, SNOW, 0.5)), (0.44, WATER)):
+    for share, colour in (
+        (1.0, mix(WATER, SNOW, 0.35)),
+        (0.82, WATER),
+        (0.62, mix(WATER, SNOW, 0.5)),
+        (0.44, WATER),
+    ):
         disc(tile, at, radius * share * tile.unit, colour)
     disc(tile, at, radius * 0.22 * tile.unit, SNOW)
 
@@ -65,7 +71,19 @@ def channel(upright: bool) -> Painter:
 def runnel(tile: Tile, upright: bool) -> None:
     """Paint a channel's kerbs and water over what is there."""
     kerbs(tile, upright, 0.5, _RUNNEL[1], _RUNNEL[1] - _RUNNEL[0])
-    water(tile, banded(tile, upright, 0.5, _RUNNEL[0]))
+    _banks(tile, upright, _RUNNEL[0])
+
+
+def _banks(tile: Tile, upright: bool, half: float) -> None:
+    """Paint the water of a canal: its banks throw a shadow on it, most the northern one."""
+    left, top, right, bottom = frame = banded(tile, upright, 0.5, half)
+    water(tile, frame)
+    edge = 0.12 * tile.unit
+    if upright:
+        tile.fill((left, top, left + edge, bottom), mix(WATER, DEEP, 0.6))
+        tile.fill((right - edge, top, right, bottom), mix(WATER, DEEP, 0.6))
+    else:
+        tile.shadow((left, top, right, top + 0.5 * tile.unit), 0.28)
 
 
 def meeting(tile: Tile) -> None:
@@ -73,7 +91,6 @@ def meeting(tile: Tile) -> None:
     lawn(tile)
     runnel(tile, upright=True)
     runnel(tile, upright=False)
-    water(tile, banded(tile, True, 0.5, _RUNNEL[0]))
     middle, reach = (tile.width / 2, tile.height / 2), min(tile.width, tile.height) / 2
     tile.polygon(octagon(middle, reach * 0.98), KERB)
     tile.polygon(octagon(middle, reach * 0.78), WATER)
@@ -89,7 +106,7 @@ class _Section:
 
 
 def canal(upright: bool) -> Painter:
-    """Return a painter of a great canal: water with jets, beds of cypresses and flowers, walks at both sides."""
+    """Return a painter of a great canal: water with jets, planted beds and walks at both sides."""
 
     def paint(tile: Tile) -> None:
         ground(tile, upright)
@@ -111,7 +128,7 @@ def ground(tile: Tile, upright: bool) -> None:
     tile.fill(banded(tile, upright, 0.5, half * _Section.walk), KERB)
     tile.fill(banded(tile, upright, 0.5, half * _Section.bed), tone(BOX, 1.12))
     tile.fill(banded(tile, upright, 0.5, half * _Section.kerb), KERB)
-    water(tile, banded(tile, upright, 0.5, half * _Section.water))
+    _banks(tile, upright, half * _Section.water)
 
 
 def _beds(tile: Tile, upright: bool) -> None:
@@ -138,9 +155,8 @@ def inflow(upright: bool) -> Painter:
         ground(tile, upright)
         runnel(tile, not upright)
         half = (tile.width if upright else tile.height) / tile.unit / 2
-        tile.fill(banded(tile, upright, 0.5, half * _Section.water), WATER)
-        water(tile, banded(tile, upright, 0.5, half * _Section.water))
-        tile.fill(_overlap(tile, upright, half * _Section.kerb), WATER)
+        _banks(tile, upright, half * _Section.water)
+        water(tile, _overlap(tile, upright, half * _Section.kerb))
 
     return paint
 
@@ -158,7 +174,7 @@ def tank(tile: Tile) -> None:
     for upright, half in ((False, across), (True, down)):
         tile.fill(banded(tile, upright, 0.5, half * _Section.kerb), KERB)
     for upright, half in ((False, across), (True, down)):
-        water(tile, banded(tile, upright, 0.5, half * _Section.water))
+        _banks(tile, upright, half * _Section.water)
     middle, reach = (tile.width / 2, tile.height / 2), min(tile.width, tile.height) / 2
     platform = box(middle, reach * 1.5, reach * 1.5)
     cast(tile, [platform], 0.6, 0.4)

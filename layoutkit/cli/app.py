@@ -14,6 +14,7 @@ from layoutkit import __version__
 from layoutkit.cli import (
     console,
     convert,
+    explain,
     infer,
     inspect,
     plugins,
@@ -32,6 +33,7 @@ from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
     (samples.samples, samples.EXAMPLES),
     (vary.vary, vary.EXAMPLES),
+    (explain.explain, explain.EXAMPLES),
     (convert.convert, convert.EXAMPLES),
     (infer.infer, infer.EXAMPLES),
     (inspect.inspect, inspect.EXAMPLES),

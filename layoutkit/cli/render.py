@@ -1,4 +1,4 @@
-"""``layoutkit render``: a picture of a facade or layout."""
+"""``layoutkit render``: a picture or a model of a facade or layout."""
 
 from __future__ import annotations
 
@@ -23,6 +23,8 @@ Examples:
 - `layoutkit render house.xml -o house.svg`
 
 - `layoutkit render out/variation-01.xml --scale 2 -o large.png`
+
+- `layoutkit render out/variation-01.xml -o building.glb`
 """
 
 
@@ -30,7 +32,7 @@ def render(
     context: typer.Context,
     document_file: DocumentFile,
     output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="OUT", help="The picture to write: .png or .svg.")
+        Path, typer.Option("-o", "--output", metavar="OUT", help="The file to write: .png, .svg or .glb.")
     ],
     scale: Annotated[
         float, typer.Option(min=0.01, max=100, help="Size of a PNG, as a multiple of the photo's own.")
@@ -39,7 +41,8 @@ def render(
     """Draw a facade or layout.
 
     A PNG shows the facade's photo, cut and fitted to the regions, or colours by label where there is no
-    photo. An SVG shows the regions by label.
+    photo; the faces of a building stand side by side. An SVG shows the regions by label. A GLB is a model:
+    regions stand out by their depth, and a building's faces are in place.
     """
     session = Session.of(context)
     make = _RENDERERS.get(output.suffix.lower())
@@ -66,6 +69,8 @@ def photo_of(model: Facade | Layout, folder: Path) -> Photo | None:
     from layoutkit.pictures import Photo
 
     facade = model if isinstance(model, Facade) else model.facade
+    if facade is not None and facade.building is not None:
+        facade = facade.building.design
     if facade is None or facade.picture is None:
         return None
     if isinstance(model, Layout) and model.facade_file is not None:
@@ -85,16 +90,27 @@ def _svg(model: Facade | Layout, folder: Path, scale: float) -> bytes:
     return render_svg(model)
 
 
+def _glb(model: Facade | Layout, folder: Path, scale: float) -> bytes:
+    from layoutkit.pictures.glb import render_glb
+
+    return render_glb(model, photo_of(model, folder))
+
+
 #: What each kind of file is made by, from the document, its folder, and the scale.
-_RENDERERS: Mapping[str, Callable[[Facade | Layout, Path, float], bytes]] = {".png": _png, ".svg": _svg}
+_RENDERERS: Mapping[str, Callable[[Facade | Layout, Path, float], bytes]] = {
+    ".png": _png,
+    ".svg": _svg,
+    ".glb": _glb,
+}
 
 
 def _unknown_suffix(output: Path) -> Diagnostic:
     kind = f"as {output.suffix!r}" if output.suffix else "without a suffix"
+    *first, last = _RENDERERS
     return Diagnostic(
         "LK703",
         f"no picture can be written {kind}",
         Place(str(output)),
-        f"end the file's name in {' or '.join(_RENDERERS)}",
+        f"end the file's name in {', '.join(first)} or {last}",
         topic="usage",
     )

@@ -44,6 +44,8 @@ class ResultFolder:
 
     Attributes
     ----------
+    facade
+        What the facade's document has; of a building, its design.
     photo
         The facade's photo, decoded once; None where there is none: pictures then show labels by colour.
     scale
@@ -85,7 +87,9 @@ class ResultFolder:
         name = f"variation-{number:0{self.digits}d}"
         image = render_png(layout, self.photo, scale=self.scale)
         picture = Picture(f"{name}.png", (0.0, 0.0, float(image.width), float(image.height)))
-        written = replace(layout, facade_file=FACADE_FILE, picture=picture)
+        building = layout.facade.building if layout.facade else None
+        mass = building.mass if building else None
+        written = replace(layout, facade_file=FACADE_FILE, picture=picture, mass=mass)
         self.session.write(self.folder / picture.file, png_bytes(image))
         self.session.write(self.folder / f"{name}.xml", layout_bytes(written))
         root = layout.root

@@ -32,16 +32,18 @@ def samples(
     ] = None,
     as_json: Json = False,
 ) -> int:
-    """List the facades that come with the program, or copy one with its picture."""
+    """List the facades that come with the program, or copy one with its picture, and its mass if any."""
     session = Session.of(context)
     if name is None:
         _list(as_json)
         return 0
-    written = _copy(session, name, output or Path(name))
+    written, mass = _copy(session, name, output or Path(name))
     if as_json:
         console.emit({"document": str(written), "diagnostics": [d.as_dict() for d in session.diagnostics]})
     else:
         console.say(f"{written}: try `layoutkit vary {written} -n 8 -o out`")
+    if mass is not None and not as_json:
+        console.say(f"{mass}: try `layoutkit vary {written} --mass {mass} -n 4 -o building`")
     return 0
 
 
@@ -57,20 +59,22 @@ def _list(as_json: bool) -> None:
         console.say(f"{sample.name:{width}}  {sample.description}")
 
 
-def _copy(session: Session, name: str, folder: Path) -> Path:
-    """Copy a sample's document and picture, and return where the document is now."""
+def _copy(session: Session, name: str, folder: Path) -> tuple[Path, Path | None]:
+    """Copy a sample's document, picture and mass, and return where the document and the mass are now."""
     from layoutkit.documents import load
-    from layoutkit.samples import sample_path
+    from layoutkit.samples import find_sample
 
-    source = sample_path(name)
+    sample = find_sample(name)
+    source = sample.path
     _, facade = session.read_facade(source, "samples")
     files = [Path(source.name), *([Path(facade.picture.file)] if facade.picture is not None else [])]
+    files += [Path(sample.mass.name)] if sample.mass is not None else []
     copies = {folder / file: load(source.parent / file) for file in files}
     if edited := [file for file, data in copies.items() if file.exists() and load(file) != data]:
         raise Faulty([_would_overwrite(edited[0])])
     for file, data in copies.items():
         session.write(file, data)
-    return folder / source.name
+    return folder / source.name, folder / sample.mass.name if sample.mass is not None else None
 
 
 def _would_overwrite(file: Path) -> Diagnostic:

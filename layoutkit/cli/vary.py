@@ -16,7 +16,7 @@ from layoutkit.cli.options import FacadeFile, Json
 from layoutkit.cli.render import photo_of
 from layoutkit.cli.results import FACADE_FILE, ResultFolder, Variation
 from layoutkit.cli.session import Session
-from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
+from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity, worst
 from layoutkit.model import Facade, Layout, Measure
 
 if TYPE_CHECKING:
@@ -28,6 +28,8 @@ Examples:
 - `layoutkit vary house.xml -n 8 -o out`
 
 - `layoutkit vary house.xml -n 20 --width 150% --height 21.5 --seed 7 -o wide`
+
+- `layoutkit vary house.xml -n 4 --mass block.xml -o block`
 """
 
 _EXITS: dict[Status, Exit] = {"found": Exit.DONE, "infeasible": Exit.INFEASIBLE, "limit": Exit.LIMIT}
@@ -53,7 +55,7 @@ Size = Annotated[
         help="A number in the document's units, or a percentage of the input's size, such as 120%.",
     ),
 ]
-_AS_IS = Measure(1.0, relative=True)
+AS_IS = Measure(1.0, relative=True)
 
 
 def vary(
@@ -61,8 +63,16 @@ def vary(
     facade_file: FacadeFile,
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="The folder for results.")],
     count: Annotated[int, typer.Option("-n", "--count", min=1, help="How many variations.")] = 8,
-    width: Size = _AS_IS,
-    height: Size = _AS_IS,
+    width: Size = AS_IS,
+    height: Size = AS_IS,
+    mass: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="MASS",
+            show_default=False,
+            help="A mass document (XML): the facade is put on all its faces, which set the sizes.",
+        ),
+    ] = None,
     seed: Annotated[
         int, typer.Option(min=0, help="Start of all random choices: the same seed gives the same bytes.")
     ] = 0,
@@ -78,20 +88,22 @@ def vary(
     """Make variations of a facade that keep its constraints.
 
     Writes into DIR: a layout document and a picture of each, the contact sheet sheet.png, and a copy of the
-    facade. A facade without constraints gets those that its own regularity suggests.
+    facade. A facade without constraints gets those that its own regularity suggests. The faces of a building
+    stand side by side in pictures; `layoutkit render` puts them in place.
 
     Exit code 3: proved that there are no (more) variations. 4: the search gave up at a limit.
     """
     session = Session.of(context)
-    _refuse_own_input(facade_file, output)
-    facade, source = _constrained(session, facade_file)
+    refuse_own_input(facade_file, output)
+    facade, source = constrained(session, facade_file, "vary")
+    subject = facade if mass is None else building(session, facade, facade_file, mass, (width, height))
     photo = photo_of(facade, facade_file.parent)
     picture = facade_file.parent / facade.picture.file if facade.picture is not None else None
     folder = ResultFolder(session, output, facade, photo, scale, max(2, len(str(count))))
     folder.write_facade(source, picture)
     asked = {"count": count, "width": width, "height": height, "seed": seed}
     limit = {} if node_limit is None else {"node_limit": node_limit}
-    results = list(_results(folder, count, {**asked, **limit}))
+    results = list(_results(folder, subject, count, {**asked, **limit}))
     if written := [r.variation for r in results if r.variation is not None]:
         sheet = folder.write_sheet(written)
     session.report(folder.left_over(written))
@@ -111,7 +123,8 @@ class _Result:
     variation: Variation | None
 
 
-def _refuse_own_input(facade_file: Path, output: Path) -> None:
+def refuse_own_input(facade_file: Path, output: Path) -> None:
+    """Raise `Faulty` if the copy of the facade in a folder of results would overwrite the facade itself."""
     own = output / FACADE_FILE
     if own.exists() and facade_file.exists() and own.samefile(facade_file):
         raise Faulty(
@@ -127,11 +140,11 @@ def _refuse_own_input(facade_file: Path, output: Path) -> None:
         )
 
 
-def _constrained(session: Session, facade_file: Path) -> tuple[Facade, bytes]:
+def constrained(session: Session, facade_file: Path, command: str) -> tuple[Facade, bytes]:
     """Return the facade and its document's text; with inferred constraints where it had none."""
     from layoutkit import documents
 
-    document, facade = session.read_facade(facade_file, "vary")
+    document, facade = session.read_facade(facade_file, command)
     if facade.constraints:
         return facade, document.source
     added = inferred(session, facade, Freedom.medium)
@@ -151,10 +164,40 @@ def _constrained(session: Session, facade_file: Path) -> tuple[Facade, bytes]:
     return constrained, documents.with_constraints(document.source, added)
 
 
-def _results(folder: ResultFolder, count: int, options: dict[str, Any]) -> Iterator[_Result]:
+def building(
+    session: Session, facade: Facade, facade_file: Path, mass_file: Path, size: tuple[Measure, Measure]
+) -> Facade:
+    """Return the facade of a building: the design on all faces of a mass.
+
+    Raises
+    ------
+    Faulty
+        If the mass has errors or other units, if a constraint cannot be carried over, or if a size is asked.
+    """
+    from layoutkit import documents
+    from layoutkit.constraints.dressing import dressed, dressing_faults
+
+    if size != (AS_IS, AS_IS):
+        message = f"a building has the size of its mass {mass_file}, and no other"
+        hint = "leave --width and --height away, or change the mass"
+        raise Faulty([Diagnostic("LK706", message, Place(str(mass_file)), hint, topic="usage")])
+    document = documents.read_mass(mass_file)
+    session.report(document.diagnostics)
+    if document.units != facade.units:
+        message = f"the mass is in {document.units}, the facade {facade_file} in {facade.units}"
+        hint = "write both in the same units"
+        raise Faulty([Diagnostic("LK503", message, Place(str(mass_file)), hint, topic="mass")])
+    found = tuple(dressing_faults(facade, document.mass))
+    if worst(found) is Severity.ERROR:
+        raise Faulty(found)
+    session.report(found)
+    return dressed(facade, document.mass)
+
+
+def _results(folder: ResultFolder, subject: Facade, count: int, options: dict[str, Any]) -> Iterator[_Result]:
     session = folder.session
     stage = session.host.stages.find("relayout")
-    outcomes = stage.run(folder.facade, options_of(stage.options, **options))
+    outcomes = stage.run(subject, options_of(stage.options, **options))
     for position, outcome in enumerate(console.progress(outcomes, "variations", count)):
         session.report(outcome.diagnostics)
         yield _Result(outcome, _written(folder, position, outcome))

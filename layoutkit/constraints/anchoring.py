@@ -41,36 +41,39 @@ def input_offsets(facade: Facade, path: str, axis: int, share: float) -> list[fl
     return [found[0], *(after for before, after in pairwise(found) if after - before > apart)]
 
 
-def successive(arrangement: Arrangement, path: str, axis: int) -> list[list[Slot]] | None:
+def successive(arrangement: Arrangement, paths: Iterable[str], axis: int) -> list[list[Slot]] | None:
     """Return the places of a region along an axis, one behind the other, each with all slots that are there.
 
     Parents that stand in the same place along the axis, one above the other as it were, have to agree on how
     many places there are: if they do not, there is no such list, and None is returned.
+
+    Parameters
+    ----------
+    paths
+        Of the region; several where copies of it, or of what it stands in, vary.
     """
-    columns: dict[Slot, list[list[Slot]]] = {slot: [[slot]] for slot in arrangement.slots(path, axis)}
-    root = arrangement.facade.root.symbol
-    while path != root:
-        path = path.rpartition("/")[0]
-        divided = AXIS[arrangement.facade.regions[path].split or "columns"] == axis
+    found = [slot for path in paths for slot in arrangement.slots(path, axis)]
+    columns: dict[Slot, list[list[Slot]]] = {slot: [[slot]] for slot in found}
+    # All are equally deep: level by level, what stands in one parent is put together.
+    for _ in range(max((slot.symbol_path.count("/") for slot in found), default=0)):
         inside: defaultdict[Slot, list[list[list[Slot]]]] = defaultdict(list)
         for slot in sorted(columns, key=lambda slot: slot.order):
             assert slot.parent is not None  # only the root has none
             inside[slot.parent].append(columns[slot])
-        if not divided and any(len(set(map(len, own))) > 1 for own in inside.values()):
-            return None
-        columns = {
-            parent: list(chain.from_iterable(own)) if divided else _abreast(own)
-            for parent, own in inside.items()
-        }
+        columns = {}
+        for parent, own in inside.items():
+            split = arrangement.facade.regions[parent.symbol_path].split or "columns"
+            if AXIS[split] == axis:
+                columns[parent] = list(chain.from_iterable(own))
+            elif len(set(map(len, own))) == 1:
+                columns[parent] = [list(chain.from_iterable(slots)) for slots in zip(*own, strict=True)]
+            else:
+                return None
     return next(iter(columns.values()), [])
 
 
-def _abreast(lists: Iterable[list[list[Slot]]]) -> list[list[Slot]]:
-    return [list(chain.from_iterable(slots)) for slots in zip(*lists, strict=True)]
-
-
-def decided(arrangement: Arrangement, path: str) -> bool:
-    """Tell whether all words are known that say how often a region occurs."""
-    steps = path.split("/")
-    above = ("/".join(steps[:number]) for number in range(1, len(steps)))
+def decided(arrangement: Arrangement, paths: Iterable[str]) -> bool:
+    """Tell whether all words are known that say how often a region, of one or several paths, occurs."""
+    steps = [path.split("/") for path in paths]
+    above = ("/".join(own[:number]) for own in steps for number in range(1, len(own)))
     return all(parent in arrangement.words or parent not in arrangement.frames for parent in above)

@@ -1,15 +1,17 @@
 """A set of words as overlapping sequences: which ones, together, cover exactly these words.
 
 Each next sequence of a chain overlaps the one before, so all that they hand over is what they share: a
-*joint*, a run of symbols behind which it no longer matters what came before it. Sequences from joint to joint
-chain to exactly the words of the set. Symbols that stand in one place of a pattern are joints of their own;
-others need a longer run, or have none: then there are no such sequences.
+*joint*, a run of symbols at the end of one and the beginning of the other. A joint stands for one role only,
+that is, one state of the set's automaton; other places where the same symbols stand lie inside sequences.
+Symbols that stand in one place of a pattern are joints of their own. Others serve in one of their roles, or
+together with those before them; or do not, and then there are no such sequences.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice, product
 
 from layoutkit.constraints.covering import Covering, Piece
 from layoutkit.constraints.language import DEAD, Language, TooManyStates, language
@@ -18,6 +20,8 @@ from layoutkit.constraints.language import DEAD, Language, TooManyStates, langua
 _LONGEST_JOINT = 4
 #: Nor are more joints than these: many long ones are a sign that none of them helps.
 _MOST_JOINTS = 60
+#: Nor more choices of roles than these.
+_MOST_CHOICES = 64
 #: More sequences than these, or more symbols in all, are more than anyone would read.
 _MOST_PIECES, _MOST_SYMBOLS = 4000, 20000
 
@@ -72,9 +76,9 @@ class _Joint:
     Attributes
     ----------
     run
-        What a sequence ends with: symbols behind which all words go on alike.
+        What a sequence ends with.
     state
-        The state of the set's automaton behind them.
+        The state of the set's automaton behind it.
     shared
         What the next one begins with: the run, or its last symbols.
     """
@@ -136,23 +140,53 @@ def _merged_at(place: int, pieces: Sequence[Piece]) -> list[Piece]:
 
 
 def _choices(kinds: _Kinds) -> Iterator[Joints]:
-    """Yield sets of joints to try: short ones first, all of them, then no more than are needed.
+    """Yield sets of joints to try: single symbols, then longer and longer runs.
 
-    What begins with a whole run may also overlap in a part of it, and so go on where it should not; where
-    that happens, sequences that share one symbol only may do.
+    Of runs all, then no more than are needed. What begins with a whole run may also overlap in a part of it,
+    and so go on where it should not; where that happens, sequences that share one symbol only may do.
     """
-    for length in range(1, _LONGEST_JOINT + 1):
-        every = _joints(kinds, length)
+    yield _constant(kinds, 1)
+    yield from islice(_roles(kinds), _MOST_CHOICES)
+    for length in range(2, _LONGEST_JOINT + 1):
+        every = _constant(kinds, length)
         if len(every) > _MOST_JOINTS:
             return
         for joints in (every, _needed(kinds, every), _needed(kinds, every[::-1])):
             yield joints
-            if length > 1:
-                yield tuple(replace(joint, shared=joint.run[-1:]) for joint in joints)
+            yield tuple(replace(joint, shared=joint.run[-1:]) for joint in joints)
 
 
-def _joints(kinds: _Kinds, longest: int) -> Joints:
-    """Return the runs of up to a length behind which all words go on alike.
+def _roles(kinds: _Kinds) -> Iterator[Joints]:
+    """Yield choices of one role for each symbol; of several, those in which it may come again, or none."""
+    words = kinds.words
+    reachable = _reachable(words)
+    roles: list[list[_Joint | None]] = []
+    for column, kind in enumerate(words.letters):
+        states = dict.fromkeys(row[column] for row in words.following if row[column] != DEAD)
+        again = [s for s in states if any(words.following[t][column] == s for t in reachable[s])]
+        joints = [_Joint((kind,), state, (kind,)) for state in (again if len(states) > 1 else states)]
+        roles.append([*joints, None] if len(states) > 1 else [*joints])
+    if any(len(some) > 1 for some in roles):
+        for chosen in product(*roles):
+            yield tuple(joint for joint in chosen if joint is not None)
+
+
+def _reachable(words: Language) -> list[frozenset[int]]:
+    """Return, for each state, those that some word leads to from it, itself included."""
+    found = []
+    for state in range(len(words.following)):
+        seen, pending = {state}, [state]
+        while pending:
+            for after in words.following[pending.pop()]:
+                if after != DEAD and after not in seen:
+                    seen.add(after)
+                    pending.append(after)
+        found.append(frozenset(seen))
+    return found
+
+
+def _constant(kinds: _Kinds, longest: int) -> Joints:
+    """Return the runs of up to a length that have one role only, so that all words go on alike behind them.
 
     A run that ends in a shorter one is left out.
     """
@@ -174,11 +208,11 @@ def _joints(kinds: _Kinds, longest: int) -> Joints:
 
 def _between(kinds: _Kinds, joints: Joints) -> list[_Draft] | None:
     """Return the sequences from joint to joint; None if there is no end of them, or too many."""
-    runs = frozenset(joint.run for joint in joints)
+    ends = frozenset((joint.run, joint.state) for joint in joints)
     found: list[_Draft] = []
     symbols = 0
     for joint in (_START, *joints):
-        for draft in _from(kinds.words, joint, runs):
+        for draft in _from(kinds.words, joint, ends):
             if draft is None:
                 return None
             found.append(draft)
@@ -188,9 +222,15 @@ def _between(kinds: _Kinds, joints: Joints) -> list[_Draft] | None:
     return found
 
 
-def _from(words: Language, joint: _Joint, runs: frozenset[Run]) -> Iterator[_Draft | None]:
-    """Yield the sequences that begin with a joint, or at the start; None where there is no end of them."""
-    longest = max(map(len, runs), default=1)
+def _from(words: Language, joint: _Joint, ends: frozenset[tuple[Run, int]]) -> Iterator[_Draft | None]:
+    """Yield the sequences that begin with a joint, or at the start; None where there is no end of them.
+
+    Parameters
+    ----------
+    ends
+        Runs and states of the joints that they may end in.
+    """
+    longest = max((len(run) for run, _ in ends), default=1)
     at_start = joint is _START
     # Each with all of the joint's run, by whose symbols the next joint may be known.
     pending: list[tuple[Run, int, frozenset[tuple[int, Run]]]] = [(joint.run, joint.state, frozenset())]
@@ -205,7 +245,7 @@ def _from(words: Language, joint: _Joint, runs: frozenset[Run]) -> Iterator[_Dra
                 continue
             longer = (*run, words.letters[column])
             here = (after, longer[-longest:])
-            if any(longer[-n:] in runs for n in range(1, min(longest, len(longer)) + 1)):
+            if any((longer[-n:], after) in ends for n in range(1, min(longest, len(longer)) + 1)):
                 yield _Draft(longer[unshared:], at_start)
             elif here in passed:
                 yield None
@@ -217,16 +257,22 @@ def _from(words: Language, joint: _Joint, runs: frozenset[Run]) -> Iterator[_Dra
 def _exact(kinds: _Kinds, joints: Joints, drafts: Sequence[_Draft]) -> bool:
     """Tell whether sequences cover the set's words only.
 
-    Where every joint is a single symbol, they overlap in it and nowhere else. Longer ones may overlap in
-    other ways, too, so that one has to look.
+    Where joints are single symbols that stand inside no sequence, these overlap in them and nowhere else.
+    Others may overlap in other ways, too, so that one has to look.
     """
-    if all(len(joint.run) == 1 for joint in joints):
+    single = {joint.run[0] for joint in joints if len(joint.run) == 1}
+    if len(single) == len(joints) and all(single.isdisjoint(_inside(draft)) for draft in drafts):
         return True
     pieces = tuple(Piece(tuple(frozenset({k}) for k in d.run), d.at_start, d.at_end) for d in drafts)
     try:
         return language(Covering(pieces), kinds.words.letters) == kinds.words
     except TooManyStates:
         return False
+
+
+def _inside(draft: _Draft) -> Run:
+    first, last = 0 if draft.at_start else 1, len(draft.run) if draft.at_end else -1
+    return draft.run[first:last]
 
 
 def _needed(kinds: _Kinds, joints: Joints) -> Joints:

@@ -50,10 +50,6 @@ def root_symbol(facade: Facade) -> str:
 
 def dressing_faults(facade: Facade, mass: Mass) -> Iterator[Diagnostic]:
     """Yield why a mass cannot be dressed in a facade, and which constraints mean less there than they say."""
-    if not mass.faces:
-        message = "the mass has no face that can be seen: its parts hide one another"
-        yield Diagnostic("LK804", message, hint="move the parts apart, or delete some", topic="mass")
-        return
     bare = dressed(replace(facade, constraints=()), mass)
     for constraint in facade.constraints:
         if constraint.scope == "building" and not joins(type(constraint)):
@@ -75,7 +71,7 @@ def _carried(constraint: Constraint, facade: Facade, mass: Mass) -> Iterator[Con
 
 def _idle(constraint: Constraint) -> Diagnostic:
     return Diagnostic(
-        "LK805",
+        "LK804",
         f"{constraint.kind} speaks of one region at a time: across faces it says no more than within each",
         constraint.place,
         'delete scope="building"',
@@ -100,7 +96,7 @@ def _lost(constraint: Constraint, facade: Facade, bare: Facade) -> Iterator[Diag
         return
     if faults := [fault.message for fault in found if fault.severity is Severity.ERROR]:
         yield Diagnostic(
-            "LK806",
+            "LK805",
             f"{constraint.kind} cannot be carried to the faces of a building: {faults[0]}",
             constraint.place,
             "regions are renamed in attributes of the types that layoutkit declares, in those of no others",

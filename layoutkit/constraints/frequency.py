@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.attributes import ENCLOSING, MEASURE, MEMBERS, attribute
 from layoutkit.constraints.constraint import Constraint
+from layoutkit.constraints.instances import original
 from layoutkit.constraints.references import unknown_composite, unknown_names
 from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Bound, Counts, WordRule
@@ -66,8 +67,9 @@ class Frequency(Constraint):
 
     def ends(self, facade: Facade) -> tuple[Bound, Bound]:
         """Return the range; percentages of the count in the input's first such region."""
-        first = facade.places[self.within][0].path
-        inside = [p for path in self.counted(facade) for p in facade.places[path]]
+        first = facade.places[original(self.within)][0].path
+        # Copies that vary are in no input.
+        inside = [p for path in self.counted(facade) for p in facade.places.get(path, ())]
         count = sum(placed.path.startswith(f"{first}/") for placed in inside)
         least, most = (
             Bound(default, False) if end is None else Bound(end.of(count), end.relative)

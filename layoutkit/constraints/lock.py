@@ -5,6 +5,7 @@ Not in Bao et al. 2013: it holds one part of a facade still while the rest varie
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from collections.abc import Sequence as ListOf
 from dataclasses import dataclass
@@ -14,7 +15,7 @@ from layoutkit.constraints.alignment import LINES
 from layoutkit.constraints.anchoring import decided, frame_of, input_offsets, successive
 from layoutkit.constraints.attributes import REGIONS, attribute, choices
 from layoutkit.constraints.constraint import Constraint
-from layoutkit.constraints.instances import may_differ, sizes_of
+from layoutkit.constraints.instances import original
 from layoutkit.constraints.references import unknown_names
 from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Admits, Bound, Counts, Exactly, WordRule
@@ -77,10 +78,16 @@ class Lock(Constraint):
         found = {LINES[line][0]: LINES[line][1] for line in ("left", "bottom", *self.anchor)}
         return found[0], found[1]
 
-    def placed(self, facade: Facade) -> tuple[str, ...]:
-        """Return the symbol paths that keep their place; the whole facade, or a face, keeps it anyway."""
-        paths = facade.select(self.of) if "place" in self.keep else ()
-        return tuple(path for path in paths if path != frame_of(facade, path))
+    def placed(self, facade: Facade) -> Mapping[str, tuple[str, ...]]:
+        """Return the symbol paths that keep their place, each with its copies, if the search varies it.
+
+        The whole facade, or a face, keeps its place anyway.
+        """
+        found: defaultdict[str, tuple[str, ...]] = defaultdict(tuple)
+        for path in facade.select(self.of) if "place" in self.keep else ():
+            if path != frame_of(facade, path):
+                found[original(path)] += (path,)
+        return found
 
     def kept_inside(self, facade: Facade) -> Mapping[str, Region]:
         """Return the composite regions whose arrangement is kept, by symbol path."""
@@ -99,14 +106,14 @@ class Lock(Constraint):
         for constraint in constraints:
             for path, region in constraint.kept_inside(facade).items():
                 yield Admits(path, Exactly(region.word), (constraint,))
-            for path in constraint.placed(facade):
+            for path, copies in constraint.placed(facade).items():
                 number = Bound(float(len(facade.places[path])), False)
-                yield Counts(frame_of(facade, path), frozenset({path}), number, number, (constraint,))
+                yield Counts(frame_of(facade, path), frozenset(copies), number, number, (constraint,))
 
     def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
         """Yield each region by itself: its place depends on all words around it."""
-        for path in self.placed(facade):
-            yield from ((axis, (path,)) for axis in (0, 1))
+        for copies in self.placed(facade).values():
+            yield from ((axis, copies) for axis in (0, 1))
 
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
         """Yield equalities for sizes, for shares of what is inside, and for distances from the facade."""
@@ -117,15 +124,17 @@ class Lock(Constraint):
         for path in self.kept_inside(facade):
             if path in arrangement.words:
                 yield from self._same_shares(path, arrangement)
-        for path in self.placed(facade):
-            for axis in (0, 1):
-                yield from self._same_place(path, axis, arrangement)
+        for path, copies in self.placed(facade).items():
+            if decided(arrangement, copies):
+                for axis in (0, 1):
+                    yield from self._same_place(path, copies, axis, arrangement)
 
     def _same_size(self, path: str, arrangement: Arrangement) -> Iterator[Range]:
         region = arrangement.facade.regions[path]
         for axis, size in enumerate((region.width, region.height)):
-            for form, _ in sizes_of(arrangement, path, axis):
-                yield Range(axis, form, size, size, self, (path.rpartition("/")[0] or path,))
+            if path in arrangement.frames:
+                form, parent = arrangement.extent(path, axis), path.rpartition("/")[0]
+                yield Range(axis, form, size, size, self, (parent,))
 
     def _same_shares(self, path: str, arrangement: Arrangement) -> Iterator[Range]:
         """Yield the share of each child; that of the last one follows."""
@@ -133,26 +142,29 @@ class Lock(Constraint):
         split = source.split or "columns"
         axis, whole = AXIS[split], arrangement.extent(path, AXIS[split])
         for child in {child.symbol: child for child in source.children}.values():
-            if child.symbol != source.word[-1]:
+            inner = f"{path}/{child.symbol}"
+            if child.symbol != source.word[-1] and inner in arrangement.frames:
                 share = child.extent(split) / source.extent(split)
-                form = add(arrangement.extent(f"{path}/{child.symbol}", axis), whole, -share)
+                form = add(arrangement.extent(inner, axis), whole, -share)
                 yield Range(axis, form, 0.0, 0.0, self, (path,))
 
-    def _same_place(self, path: str, axis: int, arrangement: Arrangement) -> Iterator[Range]:
+    def _same_place(
+        self, path: str, copies: ListOf[str], axis: int, arrangement: Arrangement
+    ) -> Iterator[Range]:
         """Yield the offset of each place; or what no size can keep, if there are too many or too few."""
-        if not decided(arrangement, path):
-            return
-        facade, share, parent = arrangement.facade, self.shares[axis], path.rpartition("/")[0]
+        facade, share = arrangement.facade, self.shares[axis]
         wanted = input_offsets(facade, path, axis, share)
-        found = successive(arrangement, path, axis)
+        found = successive(arrangement, copies, axis)
+        words = tuple(dict.fromkeys(copy.rpartition("/")[0] for copy in copies))
         if found is None or len(found) != len(wanted):
-            yield Range(axis, {}, 1.0, 1.0, self, (parent,))  # nothing is 1: this cannot hold
+            yield Range(axis, {}, 1.0, 1.0, self, words)  # nothing is 1: this cannot hold
             return
         (frame,) = arrangement.slots(frame_of(facade, path), axis)
         for slots, distance in zip(found, wanted, strict=True):
             for slot in slots:
                 form = add(slot.line(share), frame.line(share), -1.0)
-                yield Range(axis, form, distance, distance, self, (parent,))
+                if form or distance:
+                    yield Range(axis, form, distance, distance, self, words)
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every region that is not as large, not the same inside, or not in its place."""

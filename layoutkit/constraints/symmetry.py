@@ -82,7 +82,8 @@ class Symmetry(Constraint):
         for path in (path for path in self.of if path in arrangement.words):
             axis, word = AXIS[facade.regions[path].split or "columns"], arrangement.words[path]
             half = len(word) // 2
-            for pair in dict.fromkeys(zip(word[:half], reversed(word), strict=False)):
+            pairs = (sorted(pair) for pair in zip(word[:half], reversed(word), strict=False))
+            for pair in dict.fromkeys(map(tuple, pairs)):
                 one, other = (arrangement.extent(f"{path}/{symbol}", axis) for symbol in pair)
                 if difference := add(one, other, -1.0):
                     yield Range(axis, difference, 0.0, 0.0, self, (path,))

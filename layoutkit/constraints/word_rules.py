@@ -129,7 +129,8 @@ class Variants:
     Attributes
     ----------
     least, most
-        How many different ways, inclusive, given the parent's size along its split over its input size.
+        How many different ways, inclusive, given the parent's size along its split over its input size. They
+        are asked for where the region occurs at all; one way is always allowed.
     """
 
     path: str

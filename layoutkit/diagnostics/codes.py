@@ -503,8 +503,8 @@ _LAYOUTS = (
     Code(
         "LK503",
         "units differ",
-        "Layout and facade state different units, so that their sizes cannot be compared.",
-        "A layout scaled by another program.",
+        "Layout and facade, or facade and mass, state different units: their sizes cannot be compared.",
+        "A layout scaled by another program; a mass in metres for a facade in pixels.",
         "Write both in the same units.",
     ),
     Code(
@@ -588,6 +588,13 @@ _USAGE: tuple[Code, ...] = (
         _WARNING,
     ),
     Code(
+        "LK706",
+        "size asked of a building",
+        "Its faces have the sizes that the mass gives them, and no others.",
+        "--width or --height together with --mass.",
+        "Leave the size away, or change the mass.",
+    ),
+    Code(
         "LK710",
         "no such sample",
         "No shipped facade has that name.",
@@ -621,13 +628,6 @@ _BUILDINGS = (
     ),
     Code(
         "LK804",
-        "no face to be seen",
-        "Every face of the mass is inside one of its parts.",
-        "A part given twice, or one around all others that is not closed.",
-        "Move the parts apart, or delete some.",
-    ),
-    Code(
-        "LK805",
         "scope without effect",
         "A constraint of a kind that speaks of one region at a time says the same within faces and across.",
         'scope="building" on a constraint that names one region.',
@@ -635,32 +635,25 @@ _BUILDINGS = (
         _WARNING,
     ),
     Code(
-        "LK806",
+        "LK805",
         "constraint not carried to faces",
         "Every face is a copy of the facade under its own name; the constraint still names the original.",
         "A plugin's kind that holds names of regions in an attribute of a type of its own.",
         "Let its author declare them with the types of `layoutkit.constraints.attributes`.",
     ),
     Code(
-        "LK807",
+        "LK806",
         "faces not those of the mass",
         "A building's layout has one region for each face of its mass, in order, and of exactly its size.",
         "A mass edited in a finished layout.",
         "Make the layout again: `layoutkit vary FACADE --mass MASS`.",
     ),
     Code(
-        "LK808",
+        "LK807",
         "facade split into faces",
         "A facade is one design; only layouts of buildings have faces.",
         "A region of a layout copied into a facade.",
         "Keep the region of one face; `layoutkit vary --mass` puts it on all faces of a mass.",
-    ),
-    Code(
-        "LK809",
-        "size asked of a building",
-        "Its faces have the sizes that the mass gives them, and no others.",
-        "--width or --height together with --mass.",
-        "Leave the size away, or change the mass.",
     ),
 )
 

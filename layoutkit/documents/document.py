@@ -114,7 +114,7 @@ def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
     tree = _tree(parts, root, regions)
     if tree.split == "faces":
         hint = "a facade is one design: `layoutkit vary --mass` puts it on the faces of a mass"
-        reading.fault("LK808", "a facade cannot be split into faces", parts["region"], hint)
+        reading.fault("LK807", "a facade cannot be split into faces", parts["region"], hint)
         regions.names_known = False
     for element in regions.instances:
         symbol = element.attributes["symbol"]
@@ -165,7 +165,7 @@ def _mass(parts: dict[str, Element], tree: Region, root: Element, reading: Readi
     sound = worst(reading.diagnostics[before:]) is not Severity.ERROR
     if sound and (message := _misfit(tree, mass)):
         hint = "make the layout again from its facade and mass"
-        reading.fault("LK807", message, parts.get("region", root), hint, topic="layout")
+        reading.fault("LK806", message, parts.get("region", root), hint, topic="layout")
     return mass if sound else None
 
 

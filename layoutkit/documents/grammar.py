@@ -221,7 +221,7 @@ _MASS_HELP = (
 MASS = element_type("mass", _MASS_HELP, _DOCUMENT_NAME, _DOCUMENT_UNITS)
 #: What a layout's faces stand on.
 LAYOUT_MASS = element_type("mass", _MASS_HELP)
-_PART_NAME = _optional("name", _NAME, "Begins the names of its faces, such as Tower_South; an only face has no other.")
+_PART_NAME = _optional("name", _NAME, "Begins the names of its faces (Tower_South); an only one goes by it.")
 _PART_BASE = _optional("base", NUMBER, "Elevation of its foot.", 0.0)
 BOX = element_type(
     "box",

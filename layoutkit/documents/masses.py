@@ -114,9 +114,6 @@ def _read(element: Element, reading: Reading) -> list[tuple[Part, Element]]:
         reading.fault("LK107", "<mass> has no part", element, "add a box or a footprint")
     if len(reading.diagnostics) == before:
         _check_names(found, reading)
-    if len(reading.diagnostics) == before and not Mass(tuple(part for part, _ in found)).faces:
-        message = "no face of the mass can be seen: its parts hide one another"
-        reading.fault("LK804", message, element, "move the parts apart, or delete some", "mass")
     return found
 
 

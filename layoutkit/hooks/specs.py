@@ -19,6 +19,7 @@ from layoutkit.diagnostics import Diagnostic
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
     from layoutkit.model import Facade, Layout
+    from layoutkit.model.conflict import Explanation
     from layoutkit.sizing.qp import Backend
 
 #: The name of the plugin system: markers, and the entry point group.
@@ -42,12 +43,15 @@ class Outcome:
         The new facade or layout; None where there is none.
     seconds
         Time spent on this one (search and sizing; no reading, writing or pictures).
+    explanation
+        Why there is no document, with the layout that comes nearest, where a stage looks for that.
     """
 
     status: Status
     document: Facade | Layout | None
     diagnostics: tuple[Diagnostic, ...] = ()
     seconds: float = 0.0
+    explanation: Explanation | None = None
 
 
 class Stage(ABC):

@@ -18,8 +18,9 @@ from layoutkit.model.box import Box
 from layoutkit.model.face import Face, Point, turn
 from layoutkit.model.outline import area, crossings, extent, inside
 
-#: Two segments that meet at less than this angle, in degrees, belong to one curved face.
-CORNER = 30.0
+#: Two segments that meet at less than this angle, in degrees, belong to one curved face. No regular polygon
+#: turns by it: those of eleven sides and more are round.
+CORNER = 35.0
 
 #: How far from a face, as a share of the mass's extent, it is asked whether another part hides it.
 _BESIDE = 1e-6

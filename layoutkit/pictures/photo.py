@@ -89,10 +89,26 @@ class Photo:
         from PIL.Image import Resampling
 
         texture = self.image.crop(_at_least_one_pixel(self.grid.cell(source), self.image.size))
-        if region.fill == "repeat":
-            copies = (_copies(region.width, source.width), _copies(region.height, source.height))
-            texture = _repeated(texture, copies)
+        texture = _repeated(texture, copies(region, source))
         return texture if texture.size == size else texture.resize(size, Resampling.LANCZOS)
+
+    def window(self, source: Box) -> Box:
+        """Return where a part of the facade is in the image, as shares of that, y up.
+
+        Its edges run through the middle of pixels: whoever blends neighbours blends none from outside.
+        """
+        left, top, right, bottom = _at_least_one_pixel(self.grid.cell(source), self.image.size)
+        width, height = self.image.size
+        return Box(
+            (left + 0.5) / width, 1 - (bottom - 0.5) / height, (right - 0.5) / width, 1 - (top + 0.5) / height
+        )
+
+
+def copies(region: Region, source: Box) -> tuple[int, int]:
+    """Return how often a terminal shows its picture side by side, and one upon the other."""
+    if region.fill != "repeat":
+        return 1, 1
+    return _copies(region.width, source.width), _copies(region.height, source.height)
 
 
 def _part(facade: Facade, image: Image) -> Cell:

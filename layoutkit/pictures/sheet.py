@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import math
-import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
 from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from layoutkit.model.measure import format_number
+from layoutkit.pictures.lettering import fitted, font, spelled
 
 if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageDraw import ImageDraw
-    from PIL.ImageFont import FreeTypeFont, ImageFont
 
 #: Greatest width and height of a sheet, in pixels.
 WIDEST, HIGHEST = 2400, 4096
@@ -147,36 +145,15 @@ def _hang(sheet: Image, exhibit: Exhibit, size: tuple[int, int], at: tuple[int, 
 def _mark_as_input(draw: ImageDraw, at: tuple[int, int]) -> None:
     """Hang a tag over the upper edge of the picture whose upper left corner is given."""
     left, middle = at[0], at[1] - 15
-    right = left + math.ceil(draw.textlength("input", _font(TEXT - 4))) + 16
+    right = left + math.ceil(draw.textlength("input", font(TEXT - 4))) + 16
     draw.rounded_rectangle((left - 1, middle - 11, right, middle + 11), 4, ACCENT)
-    draw.text(((left + right) / 2, middle), "input", WHITE, _font(TEXT - 4), "mm")
+    draw.text(((left + right) / 2, middle), "input", WHITE, font(TEXT - 4), "mm")
 
 
 def _caption(draw: ImageDraw, exhibit: Exhibit, at: tuple[int, int], room: int) -> None:
     name, size = (
-        _fitted(draw, _spelled(text), font, room)
-        for text, font in ((exhibit.name, _font(TEXT)), (exhibit.size_text, _font(TEXT - 4)))
+        fitted(draw, spelled(text), letters, room)
+        for text, letters in ((exhibit.name, font(TEXT)), (exhibit.size_text, font(TEXT - 4)))
     )
-    draw.text((at[0], at[1] + 20), name, INK, _font(TEXT), "lm")
-    draw.text((at[0], at[1] + 45), size, FAINT, _font(TEXT - 4), "lm")
-
-
-def _spelled(text: str) -> str:
-    """Write a text in the letters of pillow's built-in font, which has neither accents nor the sign ×."""
-    plain = unicodedata.normalize("NFKD", text.replace("×", "x"))
-    return "".join(c for c in plain if not unicodedata.combining(c))
-
-
-def _fitted(draw: ImageDraw, text: str, font: FreeTypeFont | ImageFont, room: int) -> str:
-    """Return the text, cut where there is no room for it, three dots at the cut."""
-    shown = text
-    while shown and draw.textlength(shown, font) > room:
-        shown = f"{shown.removesuffix('...')[:-1]}..." if len(shown) > 3 else ""
-    return shown
-
-
-@cache
-def _font(size: int) -> FreeTypeFont | ImageFont:
-    from PIL.ImageFont import load_default
-
-    return load_default(size)
+    draw.text((at[0], at[1] + 20), name, INK, font(TEXT), "lm")
+    draw.text((at[0], at[1] + 45), size, FAINT, font(TEXT - 4), "lm")

@@ -32,15 +32,15 @@ def sources(root: Region, facade: Facade) -> Iterator[tuple[PlacedRegion, Placed
     Faulty
         If the layout has a region that the facade lacks (LK501).
     """
-    whole, source = _placed_root(root), _placed_root(facade.root)
+    whole, design = _placed_root(root), _placed_root(facade.root)
     if root.split != "faces" and root.symbol != facade.root.symbol:
         raise _unknown(root.symbol, root.symbol, facade)
 
     # Layouts hold many replicas: their sources are few, and each is split once.
     inside: dict[str, _Children] = {}
-    pending = [(whole, source)]
+    pending = [(whole, design)]
     if root.split == "faces":
-        pending = [(face, source) for face in reversed(list(place_children(whole)))]
+        pending = [(face, design) for face in reversed(list(place_children(whole)))]
     while pending:
         placed, source = pending.pop()
         if placed.region.terminal:

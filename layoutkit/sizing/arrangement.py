@@ -9,8 +9,9 @@ symbols (where some occur more than once) or the cut lines between its children 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from layoutkit.model import Facade, Split
@@ -105,6 +106,8 @@ class Arrangement:
         self.frames: dict[str, Frame] = {}
         self.tilings: list[Range] = []
         self._slots: dict[tuple[str, int], tuple[Slot, ...]] = {}
+        self._lines: dict[str, tuple[int, ...]] = {}
+        self._sizes: dict[str, Mapping[str, int]] = {}
         self._add(facade.root.symbol)
 
     def _add(self, root: str) -> None:
@@ -136,7 +139,9 @@ class Arrangement:
     def _by_lines(
         self, path: str, axis: int, word: Sequence[str], extent: Form
     ) -> tuple[tuple[Form, ...], dict[str, Form]]:
-        cuts: tuple[Form, ...] = ({}, *({self._variable(axis): 1.0} for _ in word[1:]), extent)
+        unknown = tuple(self._variable(axis) for _ in word[1:])
+        self._lines[path] = unknown
+        cuts: tuple[Form, ...] = ({}, *({variable: 1.0} for variable in unknown), extent)
         sizes: dict[str, Form] = {}
         for index, symbol in enumerate(word):
             size = add(cuts[index + 1], cuts[index], -1.0)
@@ -150,6 +155,7 @@ class Arrangement:
         self, path: str, axis: int, word: Sequence[str], extent: Form, times: Mapping[str, int]
     ) -> tuple[tuple[Form, ...], dict[str, Form]]:
         unknown = {symbol: self._variable(axis) for symbol in times}
+        self._sizes[path] = unknown
         total = {unknown[symbol]: float(n) for symbol, n in times.items()}
         self.tilings.append(Range(axis, add(total, extent, -1.0), 0.0, 0.0, None, (path,)))
         cuts: list[dict[int, float]] = [{}]
@@ -198,6 +204,33 @@ class Arrangement:
                 total += times * (inside + (f"{path}/{symbol}" in counted))
                 known &= inner_known
         return total, known
+
+    def nominal(self, axis: int, size: float, centre: Callable[[str], float]) -> list[float]:
+        """Return all variables, and 1 behind them, where each region has its share of its parent.
+
+        Parameters
+        ----------
+        size
+            The facade's extent along the axis.
+        centre
+            Gives the size of a region, by its path, of which its share is that of its siblings' sum.
+        """
+        values = [0.0] * (self.variables[axis] + 1)
+        values[0], values[-1] = size, 1.0
+        for path in self.frames:
+            if path not in self._lines and path not in self._sizes:
+                continue
+            if AXIS[self.facade.regions[path].split or "columns"] != axis:
+                continue
+            word = self.words[path]
+            own = {symbol: centre(f"{path}/{symbol}") for symbol in dict.fromkeys(word)}
+            factor = value(self.frames[path].extent[axis], values) / sum(own[symbol] for symbol in word)
+            for symbol, variable in self._sizes.get(path, {}).items():
+                values[variable] = own[symbol] * factor
+            ends = accumulate(own[symbol] for symbol in word)
+            for end, variable in zip(ends, self._lines.get(path, ()), strict=False):
+                values[variable] = end * factor
+        return values
 
     def extent(self, path: str, axis: int) -> Form:
         """Return the size of the symbol along an axis, the same for all its occurrences."""

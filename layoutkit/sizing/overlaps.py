@@ -1,14 +1,15 @@
-"""Which aligned slots overlap out of line, at given values."""
+"""Which slots may have to align, and which overlap, at given places."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from layoutkit.sizing.arrangement import Slot
-from layoutkit.sizing.plan import Ints, Plan
 from layoutkit.sizing.qp import Floats
 from layoutkit.sizing.rules import Aligned
 
@@ -19,10 +20,12 @@ _SURE = 0.5
 #: More pairs than this are not all looked at: sorted ends say which overlap.
 _FEW = 4096
 
+Ints = NDArray[np.int64]
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class Pair:
-    """A pair out of line: by how much it overlaps, and who it is."""
+    """A pair that overlaps: by how much, and who it is."""
 
     overlap: float
     sure: bool
@@ -32,34 +35,70 @@ class Pair:
     rule: Aligned = field(compare=False)
 
 
-def out_of_line(plan: Plan, point: Floats) -> Iterator[Pair]:
-    """Yield every pair that overlaps and whose lines do not coincide.
+class _Meeting(NamedTuple):
+    """A rule, and the numbers of its slots."""
 
-    Parameters
+    rule: Aligned
+    first: Ints
+    second: Ints
+
+
+class Meetings:
+    """All slots that rules of one axis speak of, each once.
+
+    Attributes
     ----------
-    point
-        See `Plan.point`.
+    slots
+        The slots; ends are given in their order, all starts before all stops.
     """
-    ends = np.asarray(plan.slots @ point)
-    starts, stops = ends[: len(ends) // 2], ends[len(ends) // 2 :]
-    for rule, first, second in plan.aligned:
-        one, other = _pairs(starts, stops, first, second)
-        overlap = np.minimum(stops[first[one]], stops[second[other]]) - np.maximum(
-            starts[first[one]], starts[second[other]]
+
+    def __init__(self, aligned: Sequence[Aligned]) -> None:
+        self.slots = tuple({id(s): s for rule in aligned for s in (*rule.first, *rule.second)}.values())
+        numbers = {id(slot): number for number, slot in enumerate(self.slots)}
+        self._rules = tuple(
+            _Meeting(
+                rule,
+                np.array([numbers[id(s)] for s in rule.first], dtype=np.int64),
+                np.array([numbers[id(s)] for s in rule.second], dtype=np.int64),
+            )
+            for rule in aligned
         )
+
+    def out_of_line(self, ends: Floats) -> Iterator[Pair]:
+        """Yield every pair that overlaps and whose lines do not coincide.
+
+        Parameters
+        ----------
+        ends
+            Starts and stops, as shares of the facade's size.
+        """
+        for meeting in self._rules:
+            yield from self._pairs(meeting, ends, OVERLAP)
+
+    def likely(self, ends: Floats) -> Iterator[Pair]:
+        """Yield every pair that overlaps so far that it will surely have to be in line."""
+        for meeting in self._rules:
+            yield from (pair for pair in self._pairs(meeting, ends, -1.0) if pair.sure)
+
+    def _pairs(self, meeting: _Meeting, ends: Floats, least: float) -> Iterator[Pair]:
+        """Yield the pairs that overlap, with a gap of more than `least` between their lines."""
+        starts, stops = ends[: len(self.slots)], ends[len(self.slots) :]
+        rule, first, second = meeting
+        one, other = _candidates(starts, stops, first, second)
+        i, j = first[one], second[other]
+        overlap = np.minimum(stops[i], stops[j]) - np.maximum(starts[i], starts[j])
         gap = np.zeros(len(one))
         for share in rule.lines:
             lines = (1 - share) * starts + share * stops
-            gap = np.maximum(gap, np.abs(lines[first[one]] - lines[second[other]]))
-        for number in np.flatnonzero((overlap > OVERLAP) & (gap > OVERLAP)):
-            i, j = first[one[number]], second[other[number]]
-            smaller = min(stops[i] - starts[i], stops[j] - starts[j])
-            sure = bool(overlap[number] >= _SURE * smaller)
-            slots = rule.first[one[number]], rule.second[other[number]]
-            yield Pair(float(overlap[number]), sure, -int(number), *slots, rule)
+            gap = np.maximum(gap, np.abs(lines[i] - lines[j]))
+        smaller = np.minimum(stops[i] - starts[i], stops[j] - starts[j])
+        for n in np.flatnonzero((overlap > OVERLAP) & (gap > least)):
+            sure = bool(overlap[n] >= _SURE * smaller[n])
+            slots = rule.first[one[n]], rule.second[other[n]]
+            yield Pair(float(overlap[n]), sure, -int(n), *slots, rule)
 
 
-def _pairs(starts: Floats, stops: Floats, first: Ints, second: Ints) -> tuple[Ints, Ints]:
+def _candidates(starts: Floats, stops: Floats, first: Ints, second: Ints) -> tuple[Ints, Ints]:
     """Return positions in `first` and in `second` of all pairs that may overlap; none with itself."""
     if len(first) * len(second) <= _FEW:
         one, other = (part.reshape(-1) for part in np.indices((len(first), len(second))))

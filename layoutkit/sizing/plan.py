@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from layoutkit.sizing.arrangement import add
+from layoutkit.sizing.arrangement import Slot, add
 from layoutkit.sizing.qp import QP, Floats
-from layoutkit.sizing.rules import SIZE, UNIT, Aligned, Form, Range, Target
+from layoutkit.sizing.rules import SIZE, UNIT, Form, Range, Target
 from layoutkit.sizing.substitution import Substitution
 
 #: Up to so many free variables arrays are dense, and all equalities are solved; beyond, they are sparse.
@@ -63,8 +63,6 @@ class Plan:
         The targets, in the rows' order.
     slots
         Starts of all aligned slots, then their ends.
-    pairs
-        Which slots may have to align: rule, first and second slot.
     rules
         The rules that bits stand for.
     count
@@ -83,7 +81,6 @@ class Plan:
     pulls: Any
     targets: tuple[Target, ...]
     slots: Any
-    aligned: tuple[tuple[Aligned, Ints, Ints], ...]
     rules: tuple[Range, ...]
     count: int
     added: tuple[Range, ...] = ()
@@ -243,7 +240,7 @@ def make_plan(
     count: int,
     ranges: Sequence[Range],
     targets: Sequence[Target],
-    aligned: Sequence[Aligned],
+    slots: Sequence[Slot],
 ) -> Plan:
     """State the sizing of one axis over as few variables as its equalities leave.
 
@@ -251,6 +248,8 @@ def make_plan(
     ----------
     count
         How many variables there are.
+    slots
+        Those that rules put in line.
     """
     substitution = Substitution()
     equalities = [
@@ -266,8 +265,6 @@ def make_plan(
     sparse = len(free) > DENSE
     basis, reasons = _basis(substitution, count, free, sparse)
     rows, least, most, why = _rows(ranges, left, basis, reasons, count, sparse)
-    slots = list({id(s): s for rule in aligned for s in (*rule.first, *rule.second)}.values())
-    numbers = {id(slot): number for number, slot in enumerate(slots)}
     ends = [*(s.start for s in slots), *(s.end for s in slots)]
     return Plan(
         axis,
@@ -280,14 +277,6 @@ def make_plan(
         _forms([t.form for t in targets], count, sparse) @ basis,
         tuple(targets),
         _forms(ends, count, sparse) @ basis,
-        tuple(
-            (
-                rule,
-                np.array([numbers[id(s)] for s in rule.first], dtype=np.int64),
-                np.array([numbers[id(s)] for s in rule.second], dtype=np.int64),
-            )
-            for rule in aligned
-        ),
         tuple(ranges),
         count,
     )

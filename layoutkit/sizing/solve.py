@@ -8,9 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
-from layoutkit.sizing.arrangement import Slot, add
+from layoutkit.sizing.arrangement import Slot, add, value
 from layoutkit.sizing.backends import polish
-from layoutkit.sizing.overlaps import Pair, out_of_line
+from layoutkit.sizing.overlaps import Meetings, Pair
 from layoutkit.sizing.plan import Contradiction, Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Floats, Solution
 from layoutkit.sizing.rules import Aligned, Range, SizeRule, Target
@@ -31,11 +31,15 @@ class Axis:
         How many variables there are.
     rules
         Those of this axis.
+    nominal
+        Value of each variable where every region has its likeliest share of its parent: what overlaps there
+        is taken to belong together.
     """
 
     number: int
     count: int
     rules: Sequence[SizeRule]
+    nominal: Floats
 
     @cached_property
     def targets(self) -> tuple[Target, ...]:
@@ -48,16 +52,22 @@ class Axis:
         return self._plan(())
 
     @cached_property
+    def meetings(self) -> Meetings:
+        """The slots that may have to be in line."""
+        return Meetings([rule for rule in self.rules if isinstance(rule, Aligned)])
+
+    @cached_property
     def likely(self) -> Plan | None:
-        """The rules, and the pairs that correspond by their order in line; None where there are none."""
-        aligned = [rule for rule in self.rules if isinstance(rule, Aligned)]
-        guess = tuple(row for pair in _corresponding(aligned) for row in in_line(*pair))
+        """The rules, and the pairs that likely overlap in line; None where there are none."""
+        slots = self.meetings.slots
+        ends = [value(s.start, self.nominal) for s in slots] + [value(s.end, self.nominal) for s in slots]
+        pairs = self.meetings.likely(np.array(ends) / self.nominal[0])
+        guess = tuple(row for pair in pairs for row in in_line(pair.rule, pair.first, pair.second))
         return self._plan(guess) if guess else None
 
     def _plan(self, guess: Sequence[Range]) -> Plan:
         ranges = [rule for rule in self.rules if isinstance(rule, Range)]
-        aligned = [rule for rule in self.rules if isinstance(rule, Aligned)]
-        return make_plan(self.number, self.count, [*ranges, *guess], self.targets, aligned)
+        return make_plan(self.number, self.count, [*ranges, *guess], self.targets, self.meetings.slots)
 
 
 @dataclass
@@ -94,15 +104,14 @@ def size_axis(axis: Axis, size: float, drawn: Drawn, backends: Sequence[Backend]
     """Find values that keep every range and alignment, nearest to what is drawn.
 
     An alignment is a choice of three: the pair is in line, or one stands before the other, or after it. The
-    first is tried first: for pairs that correspond by their order, then for all that surely overlap, then one
-    by one.
+    first is tried first: for pairs that likely overlap, then for all that surely do, then one by one.
 
     Parameters
     ----------
     size
         The facade's extent along the axis, in document units.
     """
-    task = _Task(size, drawn, tuple(backends), budget)
+    task = _Task(axis.meetings, size, drawn, tuple(backends), budget)
     if axis.likely is not None:
         found = task.search(axis.likely)
         if found.values is not None:
@@ -132,8 +141,9 @@ class _Branching:
 
 @dataclass(frozen=True)
 class _Task:
-    """A size, a draw, and what may be spent."""
+    """What may have to align, a size, a draw, and what may be spent."""
 
+    meetings: Meetings
     size: float
     drawn: Drawn
     backends: tuple[Backend, ...]
@@ -159,10 +169,13 @@ class _Task:
                 stack[-1].failed.append(found)
             elif found is None:
                 undecided = True
-            elif pairs := sorted(out_of_line(way, found), reverse=True):
+            elif pairs := self._out_of_line(way, found):
                 stack.append(_Branching(_ways(way, pairs), pairs[0]))
             else:
                 return Sized(way.values(found, self.size))
+
+    def _out_of_line(self, plan: Plan, point: Floats) -> list[Pair]:
+        return sorted(self.meetings.out_of_line(np.asarray(plan.slots @ point)), reverse=True)
 
     def _solved(self, plan: Plan) -> Floats | Contradiction | None:
         """Return the point that is nearest to what is drawn; None where nobody can tell."""
@@ -188,29 +201,6 @@ def _ways(plan: Plan, pairs: Sequence[Pair]) -> Iterator[Plan]:
         gap = add(after.start, before.end, -1.0)
         words = _words_of(pair.first, pair.second)
         yield plan.with_rows([Range(plan.axis, gap, 0.0, float("inf"), pair.rule.origin, words)])
-
-
-def _corresponding(aligned: Sequence[Aligned]) -> Iterator[tuple[Aligned, Slot, Slot]]:
-    """Yield pairs that likely overlap: of as many regions on either side, first with first, and so on.
-
-    Where one side has several symbols, it is taken symbol by symbol.
-    """
-    for rule in aligned:
-        if len(rule.first) == len(rule.second):
-            yield from _matched(rule, rule.first, rule.second)
-        elif len({slot.symbol_path for slot in rule.first}) == 1:
-            for path in dict.fromkeys(slot.symbol_path for slot in rule.second):
-                yield from _matched(rule, rule.first, [s for s in rule.second if s.symbol_path == path])
-
-
-def _matched(
-    rule: Aligned, first: Sequence[Slot], second: Sequence[Slot]
-) -> Iterator[tuple[Aligned, Slot, Slot]]:
-    if len(first) == len(second):
-        ordered = (sorted(slots, key=lambda slot: slot.order) for slots in (first, second))
-        for one, other in zip(*ordered, strict=True):
-            if one is not other:
-                yield rule, one, other
 
 
 def in_line(rule: Aligned, first: Slot, second: Slot) -> tuple[Range, ...]:

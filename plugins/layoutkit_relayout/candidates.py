@@ -10,6 +10,7 @@ from functools import reduce
 import numpy as np
 
 from layoutkit.constraints.word_rules import Automaton
+from layoutkit_relayout.choir import Choir, Voice, fixed
 from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.machine import Counting, Machine, TooManyStates, Walk, build
 from layoutkit_relayout.model import Interval, Model, meet
@@ -23,6 +24,8 @@ COMFORT = (1.5, 4.0, np.inf)
 NOTHING: Interval = (1.0, 0.0)
 #: Draws at each level before the next one is tried.
 DRAWS = 6
+#: Draws of words for several groups at once.
+PROPOSALS = 8
 #: States that machines may have once they count.
 MOST_COUNTING = 2_000
 
@@ -66,11 +69,16 @@ class Candidates:
 
     def __init__(self, model: Model, size: tuple[float, float]) -> None:
         self.model, self.size, self.exact = model, size, True
+        self.choir = Choir(model, size)
         self._tables: dict[object, CompletionTable] = {}
         self._machines: dict[object, Machine] = {}
 
     def words(
-        self, group: WordGroup, question: Question, share: float, generator: np.random.Generator
+        self,
+        group: WordGroup,
+        question: Question,
+        share: float,
+        generator: np.random.Generator,
     ) -> Iterator[Word]:
         """Yield words, each once: first the one at `share`, then random ones, at last all that are left.
 
@@ -95,6 +103,30 @@ class Candidates:
         for word in map(everything.table.machine.spell, everything.words()):
             if word not in seen and self._fits(group, question, word):
                 yield word
+
+    def together(
+        self, open_: Mapping[WordGroup, Question], generator: np.random.Generator
+    ) -> Iterator[Mapping[WordGroup, Word]]:
+        """Yield words for several groups whose lines have to meet; none where they run along a part only.
+
+        Parameters
+        ----------
+        open_
+            The groups with what is left open for them; some may have their word already.
+        """
+        voices = []
+        for group, question in open_.items():
+            machine = self._machine(group, question)
+            if question.given is not None:
+                machine = fixed(group, question.given)
+            voices.append(Voice(group, machine, self.model.weights(group, machine)))
+        for _ in range(PROPOSALS):
+            words = self.choir.propose(voices, generator)
+            if words is not None and all(self._suits(g, question, words[g]) for g, question in open_.items()):
+                yield words
+
+    def _suits(self, group: WordGroup, question: Question, word: Word) -> bool:
+        return question.excluded.isdisjoint(word) and self._fits(group, question, word)
 
     def any(self, group: WordGroup, question: Question) -> bool:
         """Tell whether the tables know a word that fits; if not, there is none."""

@@ -127,11 +127,15 @@ def _join(rule: Agree, leader: dict[str, str], letters: dict[str, dict[str, str]
         named = {symbol: name for name, symbol in rule.symbols[first].items()}
         own = {named[symbol]: letter for letter, symbol in letters[first].items() if symbol in named}
         theirs = {symbol: name for name, symbol in rule.symbols[other].items()}
-        renamed = {letter: own[theirs[symbol]] for letter, symbol in letters[other].items()}
+        renamed = {
+            letter: own[theirs[symbol]]
+            for letter, symbol in letters[other].items()
+            if theirs.get(symbol) in own
+        }
         old = leader[other]
         for path in [p for p, first_of in leader.items() if first_of == old]:
             leader[path] = leader[first]
-            letters[path] = {renamed[letter]: symbol for letter, symbol in letters[path].items()}
+            letters[path] = {renamed[a]: symbol for a, symbol in letters[path].items() if a in renamed}
 
 
 def _group(

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from layoutkit.constraints.view import CONSTRAINT_TOLERANCE
 from layoutkit.model import Region
 from layoutkit.sizing.arrangement import Arrangement
 from layoutkit.sizing.layouts import region_tree
@@ -17,6 +18,7 @@ from layoutkit.sizing.rules import Range, SizeRule
 from layoutkit.sizing.solve import Axis, Budget, size_axis
 from layoutkit_relayout.draws import Distributions
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.variants import enough, unnamed
 
 Words = Mapping[str, tuple[str, ...]]
 
@@ -70,7 +72,10 @@ class Measures:
             if sized.values is None:
                 return Measured(None, None if sized.exhausted else sized.conflict)
             values.append(sized.values)
-        return Measured(region_tree(prepared.arrangement, values))
+        root = unnamed(region_tree(prepared.arrangement, values))
+        if not enough(root, self.model.least_instances, CONSTRAINT_TOLERANCE * max(self.size)):
+            return Measured(None)  # they came out alike: another draw might not
+        return Measured(root)
 
     def ahead(self, words: Words, axis: int, problems: int) -> Contradiction | None:
         """Return why an axis of a partial choice of words cannot be sized; None if it can, or perhaps can."""
@@ -87,7 +92,15 @@ class Measures:
             return self._prepared[key]
         arrangement = Arrangement(self.model.facade, words)
         rules = [*self.rules(arrangement), *arrangement.tilings]
-        axes = tuple(Axis(n, arrangement.variables[n], [r for r in rules if r.axis == n]) for n in (0, 1))
+        axes = [
+            Axis(
+                n,
+                arrangement.variables[n],
+                [rule for rule in rules if rule.axis == n],
+                np.array(arrangement.nominal(n, self.size[n], self.model.centre)),
+            )
+            for n in (0, 1)
+        ]
         prepared = _Prepared(
             arrangement, (axes[0], axes[1]), (Distributions(axes[0].targets), Distributions(axes[1].targets))
         )

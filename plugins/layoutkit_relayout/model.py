@@ -13,15 +13,18 @@ from numpy.typing import NDArray
 from layoutkit.constraints import Constraint, Size
 from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.size import axis_of, input_size
-from layoutkit.constraints.word_rules import Counts, WordRule
+from layoutkit.constraints.word_rules import Counts, Variants, WordRule
 from layoutkit.model import Facade
 from layoutkit.sizing.arrangement import AXIS
 from layoutkit_relayout.groups import WordGroup, word_groups
 from layoutkit_relayout.machine import Machine
+from layoutkit_relayout.variants import Varied, varied
 
 Interval = tuple[float, float]
 Floats = NDArray[np.float64]
 ANY: Interval = (0.0, math.inf)
+#: More instances of one region are not told apart.
+MOST_INSTANCES = 64
 
 
 class Model:
@@ -40,18 +43,65 @@ class Model:
         The word groups, and which one each composite path belongs to.
     counts
         The frequency rules.
+    exact
+        Whether no layout is lost by what the model leaves out.
     """
 
     def __init__(self, facade: Facade, constraints: Sequence[Constraint] | None = None) -> None:
-        self.facade = facade
-        self.constraints = effective_constraints(facade) if constraints is None else tuple(constraints)
-        rules = word_rules(facade, self.constraints)
+        own = effective_constraints(facade) if constraints is None else tuple(constraints)
+        self._state(Varied(facade, own, tuple(word_rules(facade, own)), True))
+        self._at: dict[tuple[int, ...], Model] = {}
+
+    def _state(self, stated: Varied) -> None:
+        facade, rules = stated.facade, stated.rules
+        self.facade, self.constraints, self.exact, self.rules = (
+            facade,
+            stated.constraints,
+            stated.exact,
+            rules,
+        )
         self.counts = tuple(rule for rule in rules if isinstance(rule, Counts))
         self.groups = tuple(word_groups(facade, rules))
         self.group_of = {path: group for group in self.groups for path in group.members}
         self._bounds, self._shapes = _own_sizes(facade, self.constraints)
         self._hulls: dict[tuple[str, int, float], Interval] = {}
         self._closed_words: dict[str, dict[str, tuple[str, ...]]] = {}
+
+    def at(self, size: tuple[float, float]) -> Model:
+        """Return the model for layouts of a size: regions that may vary go by as many names as they need."""
+        variants = [rule for rule in self.rules if isinstance(rule, Variants)]
+        if not variants:
+            return self
+        most: dict[str, int] = {}
+        for rule in variants:
+            most[rule.path] = min(most.get(rule.path, MOST_INSTANCES), self._instances(rule, size))
+        key = tuple(most.values())
+        if key not in self._at:
+            model = Model.__new__(Model)
+            model._state(varied(self.facade, self.constraints, self.rules, most))
+            model.exact &= max(most.values()) < MOST_INSTANCES
+            self._at[key] = model
+        return self._at[key]
+
+    def _instances(self, rule: Variants, size: tuple[float, float]) -> int:
+        """Return how many instances of a region can stand in its parent, and may."""
+        parent = rule.path.rpartition("/")[0]
+        axis = self.axis(parent)
+        longest = min(size[axis], self.hull(parent, axis)[1])
+        region = self.facade.regions[parent]
+        allowed = rule.most.at(longest / (region.width, region.height)[axis])
+        narrowest = max(self.hull(rule.path, axis)[0], 1e-9 * longest)
+        room = min(longest / narrowest, longest_count(self.group_of[parent], parent, rule.path))
+        return max(1, int(min(allowed, room, MOST_INSTANCES) + 1e-6))
+
+    @cached_property
+    def least_instances(self) -> dict[str, float]:
+        """How many different instances a region has to have, where it is more than one, by its path."""
+        found: dict[str, float] = {}
+        for rule in self.rules:
+            if isinstance(rule, Variants) and rule.least.value > 1:
+                found[rule.path] = max(found.get(rule.path, 1.0), rule.least.value)
+        return found
 
     def axis(self, path: str) -> int:
         """Return the axis that a composite region splits."""
@@ -150,6 +200,12 @@ class Model:
         near = min(max(centre, least), most)
         return max(least, near - comfort * deviation), min(most, near + comfort * deviation)
 
+    def centre(self, path: str) -> float:
+        """Return the size along its parent's split about which a region's sizes are drawn."""
+        least, most = self._bounds.get(path, ANY)
+        centre = self._shapes[path][0] if path in self._shapes else input_size(self.facade, path)
+        return min(max(centre, least), most)
+
     def _inner(self, path: str, axis: int, comfort: float) -> Interval:
         region = self.facade.regions[path]
         if region.split is None:
@@ -231,6 +287,13 @@ def _own_sizes(
                 bounds[path] = meet(bounds.get(path, ANY), constraint.bounds(facade, path))
                 shapes[path] = constraint.centre.of(size), constraint.deviation.of(size)
     return bounds, shapes
+
+
+def longest_count(group: WordGroup, member: str, path: str) -> float:
+    """Return how often a symbol can occur in a word of its parent; infinite if without end."""
+    machine, symbols = group.machine((member,)), group.symbols[member]
+    once = [1.0 if f"{member}/{symbols[letter]}" == path else 0.0 for letter in group.letters]
+    return longest(machine, _summed(machine, group, once))
 
 
 def shortest(machine: Machine, sizes: Sequence[float]) -> float:

@@ -1,4 +1,4 @@
-"""What this package adds to layoutkit: the stages `infer` and `relayout`."""
+"""What this package adds to layoutkit: the stages `infer`, `relayout` and `explain`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from layoutkit.hooks.specs import Stage, hookimpl
 @hookimpl
 def layoutkit_stages() -> Iterable[Stage]:
     """Return the stages."""
+    from layoutkit_relayout.explanation.stage import Explain
     from layoutkit_relayout.inference.stage import Infer
     from layoutkit_relayout.stage import Relayout
 
-    return (Infer(), Relayout())
+    return (Infer(), Relayout(), Explain())

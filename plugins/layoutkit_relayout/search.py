@@ -71,6 +71,13 @@ class Progress:
     undecided: bool = False
 
 
+class Candidate(NamedTuple):
+    """A word to try, and the words that groups to come have with it, where they were drawn together."""
+
+    word: Word
+    plan: Mapping[WordGroup, Word]
+
+
 @dataclass
 class _Level:
     """A group whose word is being chosen."""
@@ -78,10 +85,11 @@ class _Level:
     group: WordGroup
     question: Question
     before: Words
-    candidates: Iterator[Word]
+    candidates: Iterator[Candidate]
     blame: set[int] = field(default_factory=set)
     tried: int = 0
     word: Word = ()
+    plan: Mapping[WordGroup, Word] = field(default_factory=dict)
     cut_short: bool = False
 
 
@@ -95,9 +103,9 @@ class Search:
     """
 
     def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
-        self.model, self.size = model, size
-        self.candidates = Candidates(model, size)
-        self.measures = Measures(model, size, backends)
+        self.model, self.size = model.at(size), size
+        self.candidates = Candidates(self.model, size)
+        self.measures = Measures(self.model, size, backends)
 
     def variation(self, seed: int, index: int, node_limit: int) -> Found:
         """Find one layout; variation `index` of a seed is the same whichever others are made."""
@@ -116,7 +124,8 @@ class Search:
                 descent.fail(measured.conflict)
             if progress.used >= progress.nodes or not (progress.cut_short or progress.undecided):
                 break
-        proved = not (progress.undecided or progress.used >= progress.nodes) and self.candidates.exact
+        proved = not (progress.undecided or progress.used >= progress.nodes)
+        proved &= self.candidates.exact and self.model.exact
         return Found("infeasible" if proved else "limit", None, progress.used)
 
     def arrangements(self, node_limit: int) -> Iterator[Words]:
@@ -210,14 +219,43 @@ class _Descent:
             question = self._outlook.question(group)
             if question is None or not self.search.candidates.any(group, question):
                 return frozenset(range(self._dead_since(group)))
-            share = self.shares.get(group, 0.5)
-            candidates = self.search.candidates.words(group, question, share, self.generator)
+            candidates = self._candidates(group, question)
             self.levels.append(_Level(group, question, self._outlook.words, candidates))
             following = self._advance()
             if following is None:
                 return self._exhausted()
             words = following
             everyone = frozenset(range(len(self.levels)))
+
+    def _candidates(self, group: WordGroup, question: Question) -> Iterator[Candidate]:
+        """Yield words for a group: as planned, then together with groups that it has to meet, then any."""
+        seen = set()
+        plan = next((level.plan for level in reversed(self.levels) if group in level.plan), {})
+        if plan:
+            seen.add(plan[group])
+            yield Candidate(plan[group], plan)
+        for words in self._together(group, question):
+            if words[group] not in seen:
+                seen.add(words[group])
+                yield Candidate(words[group], words)
+        share = self.shares.get(group, 0.5)
+        for word in self.search.candidates.words(group, question, share, self.generator):
+            if word not in seen:
+                yield Candidate(word, {})
+
+    def _together(self, group: WordGroup, question: Question) -> Iterator[Mapping[WordGroup, Word]]:
+        choir = self.search.candidates.choir
+        if question.given is not None or not choir.spans(group):
+            return
+        open_ = {group: question}
+        for other in sorted(choir.partners(group) - {group}, key=self.model.groups.index):
+            if any(member in self._outlook.lengths for member in other.members):
+                own = self._outlook.question(other)
+                if own is None:
+                    return
+                open_[other] = own
+        if len(open_) > 1:
+            yield from self.search.candidates.together(open_, self.generator)
 
     def _next(self, blame: Blame) -> Words | None:
         """Go back to the last choice at fault, and on with its next word; None where none is left."""
@@ -236,17 +274,18 @@ class _Descent:
         """Return all words with the next candidate of the last level; None where it has no more."""
         level, progress = self.levels[-1], self.progress
         own = len(self.levels) - 1
-        for word in level.candidates:
+        for word, plan in level.candidates:
             if progress.used >= progress.nodes or level.tried >= progress.patience.words:
                 level.cut_short = True
                 return None
             level.tried += 1
             progress.used += 1
-            level.word = word
+            level.word, level.plan = word, plan
             if (blame := self._remembered()) is None:
                 members = {m: level.group.word_of(m, word) for m, _ in level.question.members}
                 chosen = {**level.before, **members}
-                blame = self._refused(chosen)
+                # What was planned together is sized together.
+                blame = self._refused(chosen) if level.group not in plan else None
                 if blame is None:
                     return chosen
             level.blame |= blame - {own}

@@ -56,7 +56,7 @@ USAGE = {
     "unknown kind of picture": (
         ["render", "x.xml", "-o", "x.gif"],
         "as '.gif'",
-        "end the file's name in .png or .svg",
+        "end the file's name in .png, .svg or .glb",
     ),
     "no kind of picture": (["render", "x.xml", "-o", "x"], "without a suffix", ".png or .svg"),
 }

@@ -84,6 +84,24 @@ def test_a_context_across_the_lines_is_read_in_the_parent_s_word() -> None:
     assert gaps("⊢", inner, cornice, other) == [2.0]
 
 
+def bays(symbol: str, *above: float) -> Region:
+    """A floor whose windows hang that far below its top."""
+    made = []
+    for number, height in enumerate(above):
+        parts = (Region("Wall", 1.0, height), Region("Win", 1.0, 3.0 - height, labels=("Window",)))
+        made.append(Region(f"Bay{number}", 1.0, 3.0, "rows", parts))
+    return Region(symbol, float(len(made)), 3.0, "columns", tuple(made))
+
+
+def test_only_what_is_inside_the_encompassing_region_is_asked() -> None:
+    """Windows of a floor F are level with one another; those of other floors need not be."""
+    level = Alignment(first=regions("@Window"), second=regions("@Window"), lines=("top",), within="H/F")
+    facade = Facade("f", "m", stacked(bays("F", 1.0, 1.0), bays("G", 1.0, 1.0)), constraints=(level,))
+    assert broken(facade, stacked(bays("F", 1.25, 1.25), bays("G", 1.0, 1.5))) == []
+    (found,) = broken(facade, stacked(bays("F", 1.25, 1.0), bays("G", 1.0, 1.5)))
+    assert (found.path, found.amount) == ("H/F/Bay0/Win", 0.25)
+
+
 def test_the_root_stands_between_no_neighbours() -> None:
     constraint = Alignment(
         first=regions("H"), second=regions("H/F/B"), lines=("left",), first_before=Word.context("⊢")

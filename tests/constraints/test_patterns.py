@@ -142,8 +142,10 @@ def _renamed(pattern: Pattern, numbers: count[int]) -> Pattern:
         ("A B A", {"⊢ A B A ⊣"}),
         # Retargeting with one pier on either side of each bay.
         ("Pier+[{Bay Door}]", {"⊢ Pier", "Pier {Bay Door}", "{Bay Door} Pier", "Pier ⊣"}),
-        # Symbols in two roles that the run before them tells apart.
-        ("E (W P)+ D P W E", {"⊢ E W P", "P W P", "P D P W E ⊣"}),
+        # Symbols in two roles: W and P repeat before the door only.
+        ("E (W P)+ D P W E", {"⊢ E W", "W P", "P {W D}", "D P W E ⊣"}),
+        # B begins and ends what repeats.
+        ("(B A A B)+", {"⊢ B", "B A", "A A B ⊣", "A A B B"}),
         # As many as come, none of them twice.
         ("A? B? C?", {"⊢ {A B C}", "{A B} C", "A B", "{A B C} ⊣"}),
     ],

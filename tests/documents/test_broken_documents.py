@@ -224,6 +224,38 @@ CASES = [
     ),
     rules("run across", '<same-size first="F/B: C" dimension="width"/>', "LK207 7:1", seen_by=READER),
     rules("different symbols", '<same-arrangement of="F F/B"/>', "LK208 7:1", seen_by=READER),
+    rules(
+        "initial sizes without their ends",
+        '<size of="F/A" distribution="uniform" min="1"/>\n<size of="F/A" bias="-0.5"/>',
+        "LK214 7:1",
+        "LK214 8:1",
+        seen_by=READER,
+    ),
+    rules(
+        "contexts on the wrong side",
+        '<alignment first="F/A" second="F/A" lines="left" first-before="A -|"/>\n'
+        '<same-size first="F/A" dimension="width" second-after="B"/>',
+        "LK215 7:1",
+        "LK215 8:1",
+        seen_by=READER,
+    ),
+    rules(
+        "neighbour of no one",
+        '<alignment first="F/A" second="F/A" lines="left" first-after="C"/>',
+        "LK201 7:1",
+        seen_by=READER,
+    ),
+    rules("instances of the root", '<instances of="F"/>', "LK216 7:1", seen_by=READER),
+    rules("no instance", '<instances of="F/A" max="0"/>', "LK202 7:1", seen_by=READER),
+    rules("two partners", '<symmetry of="F" pairs="A:B B:A"/>', "LK217 7:1", "LK217 7:1", seen_by=READER),
+    rules("no pair", '<symmetry of="F" pairs="A-B"/>', "LK105 7:1", seen_by=READER),
+    rules("two anchors", '<lock of="F/A" keep="place" anchor="left right"/>', "LK218 7:1", seen_by=READER),
+    rules("locked inside of a terminal", '<lock of="F/A" keep="inside"/>', "LK205 7:1", seen_by=READER),
+    rules("lock of nothing", '<lock of="F/A" keep="colour"/>', "LK105 7:1"),
+    rules("lock without keep", '<lock of="F/A"/>', "LK104 7:1"),
+    rules("weight that is none", '<size of="F/A" weight="heavy"/>', "LK105 7:1"),
+    rules("weight of nothing", '<size of="F/A" weight="0"/>', "LK105 7:1", seen_by=READER),
+    rules("bias beyond the end", '<size of="F/A" min="1" bias="-2"/>', "LK105 7:1", seen_by=READER),
     facade(
         "names are not judged where some are unreadable",
         '<region symbl="F" width="1" height="1" split="rows"><region symbol="?" height="1"/></region>\n'

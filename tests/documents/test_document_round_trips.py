@@ -17,10 +17,13 @@ from layoutkit.constraints import (
     Alignment,
     Constraint,
     Frequency,
+    Instances,
+    Lock,
     SameArrangement,
     SameSize,
     Sequence,
     Size,
+    Symmetry,
 )
 from layoutkit.diagnostics import Faulty, Severity
 from layoutkit.documents import check, facade_bytes, layout_bytes, read, save, schema
@@ -69,6 +72,9 @@ PICTURES = st.none() | st.builds(
     *[st.floats(1e-3, 1e4)] * 2,
 )
 COMMENTS = st.lists(TEXT.map(lambda t: " ".join(t.split())).filter(bool), max_size=2).map("\n".join)
+WEIGHTS, LIKELY = st.none() | st.floats(1e-9, 1e9), st.floats(1e-9, 1e9)
+#: A range that holds every size in use.
+ENDS = {"min": st.just(Measure(0.0)), "max": st.just(Measure(1e9))}
 MEASURES = st.builds(Measure, st.integers(0, 10**6).map(lambda n: n / 1000), st.booleans())
 
 
@@ -84,18 +90,51 @@ def constraints_of(facade: Facade) -> st.SearchStrategy[Constraint]:
     lines, width = st.just(("left", "right")), st.just("width")
     within = st.none() | paths
     extents = sets.map(Extent)
+    keep, anchor = (
+        st.sampled_from([("place",), ("size", "place")]),
+        st.sampled_from([("top",), ("right", "top")]),
+    )
     some: list[st.SearchStrategy[Constraint]] = [
-        st.builds(Size, of=sets, centre=MEASURES, deviation=MEASURES, comment=COMMENTS),
+        st.builds(Size, of=sets, centre=MEASURES, deviation=MEASURES, comment=COMMENTS, weight=WEIGHTS),
+        st.builds(Size, of=sets, distribution=st.just("uniform"), **ENDS),
+        st.builds(Size, of=sets, bias=st.floats(-1, 1), distribution=st.just("triangular"), **ENDS),
+        st.builds(Lock, of=sets, keep=keep, anchor=anchor, comment=COMMENTS, weight=WEIGHTS),
         st.builds(Alignment, first=sets, second=sets, lines=lines, within=within, comment=COMMENTS),
         st.builds(SameSize, first=extents, second=st.none() | extents, dimension=width, comment=COMMENTS),
     ]
     for path, region in facade.regions.items():
+        if "/" in path:
+            some += [st.builds(Instances, of=st.just(RegionSet(path)), min=MEASURES, weight=WEIGHTS)]
         if not region.terminal:
+            child = RegionSet(f"{path}/{region.word[0]}")
             inside = st.sampled_from(region.word).map(RegionSet)
             maximum = st.none() | MEASURES
             some += [
                 st.builds(Frequency, of=inside, within=st.just(path), max=maximum, comment=COMMENTS),
-                st.builds(Sequence, within=_of_type(Sequence, "within", path), word=words(region.word)),
+                st.builds(
+                    Sequence,
+                    within=_of_type(Sequence, "within", path),
+                    word=words(region.word),
+                    weight=LIKELY,
+                ),
+                st.builds(Symmetry, of=st.just((path,)), pairs=pairs(region.word), weight=WEIGHTS),
+                st.builds(Lock, of=st.just(RegionSet(path)), keep=st.just(("inside",))),
+                st.builds(
+                    Alignment,
+                    first=st.just(child),
+                    second=sets,
+                    lines=lines,
+                    first_before=contexts("⊢", region.word),
+                    first_after=contexts("⊣", region.word),
+                ),
+                st.builds(
+                    SameSize,
+                    first=extents,
+                    second=st.just(Extent(child)),
+                    dimension=width,
+                    second_before=contexts("⊢", region.word),
+                    second_after=contexts("⊣", region.word),
+                ),
                 st.builds(SameArrangement, of=st.just((path, path))),
             ]
     return st.one_of(some)
@@ -104,6 +143,22 @@ def constraints_of(facade: Facade) -> st.SearchStrategy[Constraint]:
 def words(symbols: tuple[str, ...]) -> st.SearchStrategy[Word]:
     some = st.lists(st.sampled_from(symbols), min_size=1, max_size=3).map(RegionSet.union)
     return st.builds(Word, st.lists(some, min_size=1, max_size=3).map(tuple), st.booleans(), st.booleans())
+
+
+@st.composite
+def contexts(draw: st.DrawFn, end: str, symbols: tuple[str, ...]) -> Word | None:
+    """What may stand beside a region: symbols, its parent's end, both, or anything."""
+    sets = tuple(draw(st.lists(st.sampled_from(symbols).map(RegionSet), max_size=2)))
+    at_end = draw(st.booleans())
+    return Word(sets, at_end and end == "⊢", at_end and end == "⊣") if sets or at_end else None
+
+
+@st.composite
+def pairs(draw: st.DrawFn, symbols: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
+    """Some symbols in pairs, none twice."""
+    mixed = draw(st.permutations(sorted(set(symbols))))
+    found = list(zip(mixed[::2], mixed[1::2], strict=False))
+    return tuple(found[: draw(st.integers(0, len(found)))])
 
 
 def _of_type(kind: type[Constraint], name: str, text: str) -> st.SearchStrategy[object]:

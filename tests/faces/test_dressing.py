@@ -204,8 +204,8 @@ PLACE = Place("h.xml", 7, 3)
 @pytest.mark.parametrize(
     ("rule", "code", "severity"),
     [
-        (Alone(of="H/G", scope="building", place=PLACE), "LK805", Severity.WARNING),
-        (Opaque(of="H/G", place=PLACE), "LK806", Severity.ERROR),
+        (Alone(of="H/G", scope="building", place=PLACE), "LK804", Severity.WARNING),
+        (Opaque(of="H/G", place=PLACE), "LK805", Severity.ERROR),
         (Failing(of="H/G", place=PLACE), "LK407", Severity.ERROR),
     ],
     ids=lambda value: getattr(value, "kind", value),

@@ -13,9 +13,11 @@ from layoutkit.samples import list_samples, sample_path
 
 def test_samples_have_names_descriptions_and_documents() -> None:
     samples = list_samples()
-    assert [s.name for s in samples] == ["plain", "arcade", "townhouse", "palace"]
+    names = ["plain", "arcade", "townhouse", "palace", "block", "carpet", "garden"]
+    assert [s.name for s in samples] == names
     assert all(s.description and s.path.is_file() for s in samples)
-    assert sample_path("palace") == samples[-1].path
+    assert [s.name for s in samples if s.mass is not None and s.mass.is_file()] == ["block"]
+    assert sample_path("garden") == samples[-1].path
 
 
 def test_unknown_samples_are_named_with_the_nearest() -> None:

@@ -1,8 +1,8 @@
-"""How much variations of a facade vary: figures, each of which grows with the freedom that constraints leave."""
+"""How much the variations of a facade vary, in figures that grow with the freedom that constraints leave."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from statistics import fmean
 
@@ -18,12 +18,11 @@ class Variety:
     Attributes
     ----------
     words
-        How many different arrangements a region has in them, all composite regions together.
+        How many different arrangements there are in them, whichever region has them.
     edits
-        Mean edit distance of an arrangement from the input's, over the length of the longer of the two; of
-        regions whose arrangement differs in some variation of some level.
+        Edit distance of the arrangements from the input's, as a share of their lengths, all in all.
     loose_edges
-        Share of windows' left and right edges with which no edge of a window of another row is in line.
+        Mean share of windows' left and right edges with which no edge of a window of another row is in line.
     stretch
         Mean deviation of a window's width from its width in the input, as a share of that.
     """
@@ -34,17 +33,26 @@ class Variety:
     stretch: float
 
 
-def variety(facade: Facade, layouts: Sequence[Layout], window: str = "Window") -> Variety:
-    arrangements = [(p.symbol_path, p.region.word) for lay in layouts for p in place(lay.root) if p.region.split]
-    edits = [edit_share(facade.regions[path].word, word) for path, word in arrangements]
-    windows = [[p for p in place(lay.root) if window in p.region.labels] for lay in layouts]
-    widths = [
-        abs(p.box.width / facade.regions[p.symbol_path].width - 1.0) for placed in windows for p in placed
-    ]
+def variety(
+    facade: Facade, layouts: Sequence[Layout], paths: Collection[str], window: str = "Window"
+) -> Variety:
+    """Return the figures of some variations.
+
+    Parameters
+    ----------
+    paths
+        The regions whose arrangements count.
+    """
+    placed = [list(place(layout.root)) for layout in layouts]
+    found = [(p.symbol_path, p.region.word) for some in placed for p in some if p.symbol_path in paths]
+    inputs = [facade.regions[path].word for path, _ in found]
+    windows = [[p for p in some if window in p.region.labels] for some in placed]
+    widths = [abs(p.box.width / facade.regions[p.symbol_path].width - 1) for some in windows for p in some]
+    edits = sum(edit_distance(one, word) for one, (_, word) in zip(inputs, found, strict=True))
     return Variety(
-        len(set(arrangements)),
-        fmean(edits),
-        fmean(loose_edges(placed, 1e-4 * lay.root.width) for placed, lay in zip(windows, layouts, strict=True)),
+        len({word for _, word in found}),
+        edits / sum(max(len(one), len(word)) for one, (_, word) in zip(inputs, found, strict=True)),
+        fmean(loose_edges(some, 1e-4 * lay.root.width) for some, lay in zip(windows, layouts, strict=True)),
         fmean(widths) if widths else 0.0,
     )
 
@@ -62,16 +70,11 @@ def loose_edges(windows: Sequence[PlacedRegion], tolerance: float) -> float:
     return loose / total if total else 0.0
 
 
-def edit_share(one: Word, other: Word) -> float:
-    """Return the edit distance over the length of the longer word (Levenshtein)."""
-    row: list[int] = list(range(len(other) + 1))
+def edit_distance(one: Word, other: Word) -> int:
+    """Return how many symbols must be added, dropped or exchanged (Levenshtein)."""
+    row = list(range(len(other) + 1))
     for i, a in enumerate(one, 1):
         diagonal, row[0] = row[0], i
         for j, b in enumerate(other, 1):
             diagonal, row[j] = row[j], min(row[j] + 1, row[j - 1] + 1, diagonal + (a != b))
-    return row[-1] / max(len(one), len(other), 1)
-
-
-def strictly_rising(figures: Iterable[float]) -> bool:
-    found = list(figures)
-    return all(a < b for a, b in zip(found, found[1:], strict=False))
+    return row[-1]

@@ -75,7 +75,9 @@ def positive(facade: Facade, arrangement: Arrangement, axis: int, share: float =
 def axis_of(arrangement: Arrangement, axis: int, rules: Sequence[SizeRule]) -> Axis:
     """State the sizing of one axis."""
     own = [rule for rule in (*rules, *arrangement.tilings) if rule.axis == axis]
-    return Axis(axis, arrangement.variables[axis], own)
+    regions = arrangement.facade.regions
+    nominal = arrangement.nominal(axis, 1.0, lambda path: (regions[path].width, regions[path].height)[axis])
+    return Axis(axis, arrangement.variables[axis], own, np.array(nominal))
 
 
 def size(axis: Axis, extent: float, budget: int, backends: Sequence[Backend] = BACKENDS) -> Sized:

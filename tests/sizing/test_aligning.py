@@ -16,7 +16,7 @@ from layoutkit.model import Facade, Layout, RegionSet
 from layoutkit.sizing.arrangement import Arrangement
 from layoutkit.sizing.backends import BACKENDS
 from layoutkit.sizing.layouts import region_tree
-from layoutkit.sizing.overlaps import out_of_line
+from layoutkit.sizing.overlaps import Pair
 from layoutkit.sizing.qp import QP, Backend, Solution
 from layoutkit.sizing.rules import Range, SizeRule
 from layoutkit.sizing.solve import Axis, Sized
@@ -48,12 +48,16 @@ def broken(facade: Facade, arrangement: Arrangement, sized: Sized) -> list[Const
 def test_pairs_out_of_line_are_found_as_they_overlap() -> None:
     facade = two_rows({"a": 2.0, "x": 4.0}, {"b": 2.5, "y": 3.5}, ("ax", "by"), 6.0)
     _, axis = problem(with_constraints(facade, ALIGNED))
+
     # The two free variables are where the floors are cut.
-    (pair,) = out_of_line(axis.plan, np.array([2.0, 2.5, 6.0, 1.0]) / 6.0)
+    def out_of_line(*point: float) -> list[Pair]:
+        return list(axis.meetings.out_of_line(axis.plan.slots @ np.array(point) / 6.0))
+
+    (pair,) = out_of_line(2.0, 2.5, 6.0, 1.0)
     assert (pair.first.symbol_path, pair.second.symbol_path) == ("R/F/a", "R/G/b")
     assert pair.overlap == pytest.approx(2.0 / 6.0)
     assert pair.sure
-    assert list(out_of_line(axis.plan, np.array([2.0, 2.0, 6.0, 1.0]) / 6.0)) == []
+    assert out_of_line(2.0, 2.0, 6.0, 1.0) == []
 
 
 def test_overlapping_regions_get_in_line() -> None:

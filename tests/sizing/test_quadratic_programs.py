@@ -223,7 +223,7 @@ def test_names_of_the_backends() -> None:
 
 
 def plan_of(ranges: list[Range], targets: list[Target], variables: int) -> Plan:
-    return make_plan(0, variables, ranges, targets, [])
+    return make_plan(0, variables, ranges, targets, ())
 
 
 def problem_of(plan: Plan, size: float) -> QP | Contradiction:

@@ -2,17 +2,33 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from layoutkit.model import Facade, Layout, Region
+from layoutkit_relayout.explanation.bounds import ends_of
 from layoutkit_relayout.explanation.judge import Judge, Witness
-from layoutkit_relayout.explanation.remedies import Way
+from layoutkit_relayout.explanation.remedies import Way, in_order
 from layoutkit_relayout.explanation.units import Unit
 
 
+def loss(unit: Unit) -> int:
+    """Return how much it takes away to leave a unit out: from 0, a default size, to 3, an arrangement.
+
+    A range can be missed by a little, other constraints are kept or not, and what the regions are goes before
+    how large they are.
+    """
+    if unit.region:
+        return 3
+    if unit.by_default:
+        return 0
+    return 1 if any(ends_of(constraint) for constraint in unit.constraints) else 2
+
+
 def by_value(units: Iterable[Unit]) -> list[Unit]:
-    """Return units, those first that are the least loss: defaults, then later before earlier ones."""
-    return sorted(reversed(list(units)), key=lambda unit: not unit.by_default)
+    """Return units, those first that are the least loss; of two alike, that which stands later."""
+    numbered = sorted(enumerate(units), key=lambda entry: (loss(entry[1]), -entry[0]))
+    return [unit for _, unit in numbered]
 
 
 def grown(judge: Judge, units: Sequence[Unit]) -> Region | None:
@@ -40,15 +56,14 @@ def mildest(facade: Facade, units: Sequence[Unit], ways: Iterable[Way], otherwis
         A layout that is taken if no way out admits a better one.
     """
 
-    def broken(root: Region) -> tuple[int, int]:
+    def broken(root: Region) -> tuple[int, ...]:
         witness = Witness(facade, root)
-        lost = [unit for unit in units if not witness.keeps(unit)]
-        return sum(not unit.by_default for unit in lost), len(lost)
+        lost = Counter(loss(unit) for unit in units if not witness.keeps(unit))
+        return tuple(lost[grade] for grade in (3, 2, 1, 0))
 
-    usable = [way for way in ways if way.remedy.size is None]
-    found = [(*broken(way.root), way.rank, way.change, way.root) for way in usable]
-    best = min(found, key=lambda entry: entry[:4], default=None)
-    return otherwise if best is None or best[:2] > broken(otherwise) else best[4]
+    usable = [way for way in in_order(ways) if way.remedy.size is None]
+    best = min(usable, key=lambda way: broken(way.root), default=None)
+    return otherwise if best is None or broken(best.root) > broken(otherwise) else best.root
 
 
 def as_layout(facade: Facade, root: Region, seed: int) -> Layout:

@@ -35,7 +35,7 @@ def with_end(constraint: Constraint, end: End, measure: Measure | None) -> Const
 
 
 def parts(constraint: Constraint, facade: Facade) -> Iterator[Constraint]:
-    """Yield what a constraint asks of each single region, each end by itself; it asks all of this together."""
+    """Yield what a constraint asks of each single region, each end by itself: together, all that it asks."""
     ends = ends_of(constraint)
     for end in ends:
         narrow = constraint

@@ -48,16 +48,14 @@ def minimal_core(judge: Judge, units: Sequence[Unit], fixed: Sequence[Unit] = ()
     fixed
         Units that take part in any case.
     """
-    found = quickxplain(lambda some: judge.infeasible([*fixed, *some]), units)
-    # A search that gives up leaves units in that are not needed: the final look goes over all of them.
-    unproved: list[Unit] = []
-    for unit in reversed(found):
-        verdict = judge.ask([*fixed, *without(found, unit)])
-        if verdict.status == "infeasible":
-            found = without(found, unit)
-        elif verdict.status == "limit":
-            unproved.append(unit)
-    return Core(tuple(found), frozenset(unproved))
+    found = quickxplain(lambda some: judge.glance([*fixed, *some]).status == "infeasible", units)
+    # A search that gives up too soon leaves units in that are not needed: now look longer.
+    while True:
+        verdicts = {unit: judge.settle([*fixed, *without(found, unit)]).status for unit in found[::-1]}
+        spare = next((unit for unit, status in verdicts.items() if status == "infeasible"), None)
+        if spare is None:
+            return Core(tuple(found), frozenset(u for u, status in verdicts.items() if status == "limit"))
+        found = without(found, spare)
 
 
 def quickxplain(infeasible: Infeasible, units: Sequence[Unit]) -> list[Unit]:
@@ -98,8 +96,8 @@ def narrowed(judge: Judge, core: Core) -> dict[Unit, tuple[Constraint, ...]]:
             origins |= {Unit.of(piece): unit for piece in pieces}
     whole = [unit for unit in core.units if unit not in origins.values()]
     needed = list(origins)
-    if needed and judge.infeasible([*whole, *needed]):
-        needed = quickxplain(lambda some: judge.infeasible([*whole, *some]), needed)
+    if needed and judge.settle([*whole, *needed]).status == "infeasible":
+        needed = quickxplain(lambda some: judge.ask([*whole, *some]).status == "infeasible", needed)
     found = {unit: unit.constraints for unit in whole}
     for piece in needed:
         found[origins[piece]] = (*found.get(origins[piece], ()), *piece.constraints)

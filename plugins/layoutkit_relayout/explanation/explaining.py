@@ -5,18 +5,26 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from layoutkit.constraints import Constraint
+from layoutkit.constraints import Constraint, Frequency, Instances
+from layoutkit.constraints import Size as SizeConstraint
 from layoutkit.model import Facade, Region, place
-from layoutkit.model.conflict import Amount, Conflict, Explanation, Member, Remedy
+from layoutkit.model.conflict import Amount, Conflict, Explanation, Member
 from layoutkit_relayout.explanation import wording
 from layoutkit_relayout.explanation.best_effort import as_layout, by_value, grown, mildest
 from layoutkit_relayout.explanation.conflict import Core, minimal_core, narrowed
 from layoutkit_relayout.explanation.judge import Judge, Size, Verdict
-from layoutkit_relayout.explanation.remedies import Way, ways_out
-from layoutkit_relayout.explanation.units import Unit, units_of, without
+from layoutkit_relayout.explanation.remedies import FAR_FETCHED, Way, in_order, other_sizes, ways_out
+from layoutkit_relayout.explanation.units import Unit, without
 
 #: Conflicts that are worked out; of more, the first ones are told.
-MOST_CONFLICTS = 4
+MOST_CONFLICTS = 3
+#: After so many searches no further conflict is looked for.
+MOST_SEARCHES = 400
+#: Words tried to tell whether there is anything to explain.
+NODE_LIMIT = 2000
+
+#: Constraints among which a conflict is known to be.
+Suspects = Collection[Constraint]
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,12 +37,7 @@ class _Found:
 
 
 def explain(
-    facade: Facade,
-    size: Size,
-    *,
-    seed: int = 0,
-    node_limit: int = 60,
-    suspects: Collection[Constraint] = (),
+    facade: Facade, size: Size, *, seed: int = 0, node_limit: int = NODE_LIMIT, suspects: Suspects = ()
 ) -> Explanation:
     """Explain why there is no layout of a facade at a size.
 
@@ -43,32 +46,42 @@ def explain(
     facade
         Its own constraints are explained, and those that hold by default.
     node_limit
-        Words tried for each question; there are some dozens.
+        Words tried to tell whether there is a layout; the dozens of questions after that take a like effort.
     suspects
         Constraints among which a conflict is known to be, where something is known.
     """
-    judge = Judge(facade, size, seed, node_limit)
-    units = units_of(facade)
+    judge = Judge(facade, size, seed)
+    judge.first(node_limit)
+    return explained(judge, suspects)
+
+
+def explained(judge: Judge, suspects: Suspects = ()) -> Explanation:
+    """Explain why there is no layout, of a judge who has been asked whether there is one."""
+    facade, units = judge.facade, judge.units
     found, left, verdict = _conflicts(judge, units, suspects)
     complete = verdict.root is not None
-    ways = [_ways(judge, units, found, one) if complete else [] for one in found]
+    sizes = other_sizes(judge, units) if found else []
+    ways = [_ways(judge, units, found, one, sizes) if complete else sizes for one in found]
     conflicts = tuple(_told(facade, one, own) for one, own in zip(found, ways, strict=True))
-    root = grown(judge, left) if verdict.root is None else _best(judge, units, found, ways, verdict.root)
-    effort = None if root is None else as_layout(facade, root, seed)
-    return Explanation(size, conflicts, complete, effort)
+    root = grown(judge, left) if verdict.root is None else _best(judge, found, ways, verdict.root)
+    effort = None if root is None else as_layout(facade, root, judge.seed)
+    return Explanation(judge.size, conflicts, complete, effort)
 
 
 def _conflicts(
-    judge: Judge, units: list[Unit], suspects: Collection[Constraint]
+    judge: Judge, units: list[Unit], suspects: Suspects
 ) -> tuple[list[_Found], list[Unit], Verdict]:
     """Find conflict after conflict, giving up a member of each; return what is left, and whether it holds."""
     found: list[_Found] = []
     left = units
     verdict = judge.ask(left)
     while verdict.status == "infeasible" and len(found) < MOST_CONFLICTS:
+        if found and judge.searched >= MOST_SEARCHES:
+            break
         core = minimal_core(judge, _suspected(judge, left, suspects))
         parts = narrowed(judge, core)
-        candidates = by_value(parts)
+        # Of a member that may not be needed at all nothing is gained by giving it up.
+        candidates = by_value(unit for unit in parts if unit not in core.unproved) or by_value(parts)
         enough = (u for u in candidates if judge.ask(without(left, u)).status == "found")
         found.append(_Found(core, parts, next(enough, candidates[0])))
         left = without(left, found[-1].given_up)
@@ -76,23 +89,41 @@ def _conflicts(
     return found, left, verdict
 
 
-def _suspected(judge: Judge, units: list[Unit], suspects: Collection[Constraint]) -> list[Unit]:
+def _suspected(judge: Judge, units: list[Unit], suspects: Suspects) -> list[Unit]:
     """Return the units with a suspect in them, if those alone are infeasible; else all."""
-    known = {id(constraint) for constraint in suspects}
-    some = [u for u in units if any(id(c) in known for c in (*u.constraints, *u.sources))]
-    return some if some and judge.infeasible(some) else units
+    known = set(suspects)
+    some = [u for u in units if not known.isdisjoint((*u.constraints, *u.sources))]
+    return some if some and judge.ask(some).status == "infeasible" else units
 
 
-def _ways(judge: Judge, units: Sequence[Unit], found: Sequence[_Found], one: _Found) -> list[Way]:
+def _ways(
+    judge: Judge, units: Sequence[Unit], found: Sequence[_Found], one: _Found, sizes: Sequence[Way]
+) -> list[Way]:
+    """Return the ways out of a conflict in order, without the far-fetched ones if there are others."""
     others = {other.given_up for other in found if other is not one}
-    return ways_out(judge, [unit for unit in units if unit not in others], one.parts)
+    ways = in_order([*ways_out(judge, [u for u in units if u not in others], one.parts), *sizes])
+    return [way for way in ways if way.rank < FAR_FETCHED] or ways
 
 
-def _best(
-    judge: Judge, units: Sequence[Unit], found: Sequence[_Found], ways: Sequence[list[Way]], root: Region
-) -> Region:
-    """Return a layout that breaks little: of a single conflict the mildest, else what giving up leaves."""
-    return mildest(judge.facade, units, ways[0], root) if len(found) == 1 else root
+def _best(judge: Judge, found: Sequence[_Found], ways: Sequence[list[Way]], root: Region) -> Region:
+    """Return a layout that breaks little: that of the mildest way out, or of several ones taken together.
+
+    Parameters
+    ----------
+    root
+        What giving up a member of each conflict leaves.
+    """
+    if len(found) == 1:
+        return mildest(judge.facade, judge.units, ways[0], root)
+    given_up = [one.given_up for one in found]
+    loosened = [
+        Unit(way.remedy.added, way.remedy.added)
+        for one, own in zip(found, ways, strict=True)
+        for way in own
+        if way.rank == 0 and way.remedy.member == [*one.parts].index(one.given_up)
+    ]
+    together = judge.ask([*(unit for unit in judge.units if unit not in given_up), *loosened])
+    return together.root or root
 
 
 def _told(facade: Facade, found: _Found, ways: Sequence[Way]) -> Conflict:
@@ -125,9 +156,6 @@ def _regions(facade: Facade, unit: Unit, parts: Sequence[Constraint]) -> tuple[s
 
 def _named(facade: Facade, constraint: Constraint) -> tuple[str, ...]:
     """Return the regions that an attribute ``of`` selects."""
-    from layoutkit.constraints import Frequency, Instances
-    from layoutkit.constraints import Size as SizeConstraint
-
     if isinstance(constraint, SizeConstraint | Instances):
         return facade.select(constraint.of)
     return (constraint.within,) if isinstance(constraint, Frequency) else ()
@@ -151,6 +179,3 @@ def _short(ways: Sequence[Way]) -> tuple[Amount, ...]:
 
 def _words(root: Region) -> frozenset[tuple[str, tuple[str, ...]]]:
     return frozenset((placed.symbol_path, placed.region.word) for placed in place(root))
-
-
-__all__ = ["MOST_CONFLICTS", "Remedy", "explain"]

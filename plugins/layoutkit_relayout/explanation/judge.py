@@ -13,11 +13,13 @@ from functools import cached_property
 from typing import Literal
 
 from layoutkit.constraints import Constraint
+from layoutkit.constraints import Sequence as SequenceConstraint
 from layoutkit.constraints.defaults import InputWord
+from layoutkit.constraints.sequence import covered
 from layoutkit.constraints.view import LayoutView
 from layoutkit.model import Facade, Layout, Region
 from layoutkit.sizing.backends import BACKENDS
-from layoutkit_relayout.explanation.units import Unit, background, flat, free_regions
+from layoutkit_relayout.explanation.units import Unit, background, flat, free_regions, units_of
 from layoutkit_relayout.machine import TooManyStates
 from layoutkit_relayout.model import Model
 from layoutkit_relayout.search import Search
@@ -25,8 +27,8 @@ from layoutkit_relayout.search import Search
 Status = Literal["found", "infeasible", "limit"]
 Size = tuple[float, float]
 
-#: Words tried before regions without a rule are given their input's word, to see whether that will do.
-_GLANCE = 8
+#: Words tried at a glance, for most answers, and where all hangs on one.
+GLANCE, LOOK, STUDY = 8, 60, 600
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,10 +39,13 @@ class Verdict:
     ----------
     root
         A layout that keeps them, where one was found.
+    nodes
+        Words tried to tell.
     """
 
     status: Status
     root: Region | None = None
+    nodes: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,21 +57,23 @@ class Witness:
     _kept: dict[Unit, bool] = field(default_factory=dict)
 
     @cached_property
-    def _layout(self) -> Layout:
-        return Layout("witness", self.facade.units, self.root, self.facade)
-
-    @cached_property
     def _view(self) -> LayoutView:
-        return LayoutView(self._layout, self.facade)
+        return LayoutView(Layout("witness", self.facade.units, self.root, self.facade), self.facade)
 
     def keeps(self, unit: Unit) -> bool:
         """Tell whether the layout keeps all constraints of a unit."""
         if unit not in self._kept:
-            view = self._view
-            if unit.region:  # a sequence is judged together with its facade's others: here, with the unit's
-                view = LayoutView(self._layout, replace(self.facade, constraints=unit.constraints))
-            self._kept[unit] = not any(any(c.violations(view)) for c in unit.constraints)
+            others = (c for c in unit.constraints if not isinstance(c, SequenceConstraint))
+            broken = any(any(constraint.violations(self._view)) for constraint in others)
+            self._kept[unit] = not broken and self._spells(unit)
         return self._kept[unit]
+
+    def _spells(self, unit: Unit) -> bool:
+        """Tell whether a unit's sequences admit the words: the checker looks at all of a facade's."""
+        region = self.facade.regions.get(unit.region)
+        pieces = [c.piece(region) for c in unit.constraints if region and isinstance(c, SequenceConstraint)]
+        places = self._view.places(unit.region) if pieces else []
+        return all(covered(placed.region.word, pieces) for placed in places)
 
 
 class Judge:
@@ -76,21 +83,23 @@ class Judge:
     ----------
     size
         Width and height, in document units.
-    node_limit
-        Words tried for one question before the answer is ``limit``.
 
     Attributes
     ----------
+    units
+        All that is to hold.
     asked, searched
         How many questions were asked, and how many searches they took.
     """
 
-    def __init__(self, facade: Facade, size: Size, seed: int = 0, node_limit: int = 100) -> None:
-        self.facade, self.size, self.seed, self.node_limit = facade, size, seed, node_limit
+    def __init__(self, facade: Facade, size: Size, seed: int = 0) -> None:
+        self.facade, self.size, self.seed = facade, size, seed
+        self.units = units_of(facade)
+        self._limits = GLANCE, LOOK, STUDY
         self.always = Unit(always := background(facade), always)
         self.witnesses: list[Witness] = []
         self.asked = self.searched = 0
-        self._verdicts: dict[frozenset[Unit], Verdict] = {}
+        self._verdicts: dict[frozenset[Unit], tuple[Verdict, int]] = {}
         self._others: dict[Size, Judge] = {size: self}
         if facade.building is None:
             self._admit(_scaled(facade.root, *size))
@@ -98,22 +107,46 @@ class Judge:
     def at(self, size: Size) -> Judge:
         """Return a judge of the same facade at another size; each is made once."""
         if size not in self._others:
-            self._others[size] = Judge(self.facade, size, self.seed, self.node_limit)
+            self._others[size] = Judge(self.facade, size, self.seed)
+            self._others[size]._limits = self._limits
         return self._others[size]
+
+    def first(self, node_limit: int) -> Verdict:
+        """Return whether all units can hold together; what that takes, every later question may take as well.
+
+        Parameters
+        ----------
+        node_limit
+            Words tried before the answer is ``limit``.
+        """
+        verdict = self._answer(self.units, node_limit)
+        effort = verdict.nodes if verdict.status == "infeasible" else 0
+        self._limits = max(GLANCE, 2 * effort), max(LOOK, 4 * effort), max(STUDY, 8 * effort)
+        return verdict
+
+    def glance(self, units: Iterable[Unit]) -> Verdict:
+        """Return whether units can hold together, ``limit`` where that takes a long look."""
+        return self._answer(list(units), self._limits[0])
 
     def ask(self, units: Iterable[Unit]) -> Verdict:
         """Return whether units can hold together."""
-        key = frozenset(units)
+        return self._answer(list(units), self._limits[1])
+
+    def settle(self, units: Iterable[Unit]) -> Verdict:
+        """Return whether units can hold together, if that can be told at all."""
+        return self._answer(list(units), self._limits[2])
+
+    def _answer(self, units: Sequence[Unit], node_limit: int) -> Verdict:
         self.asked += 1
-        if key not in self._verdicts:
-            self._verdicts[key] = self._witnessed(key) or self._search(list(units))
-        return self._verdicts[key]
+        key = frozenset(units)
+        known, looked = self._verdicts.get(key, (Verdict("limit"), 0))
+        if known.status != "limit" or looked >= node_limit:
+            return known
+        found = self._witnessed(units) or self._search(units, node_limit)
+        self._verdicts[key] = found, node_limit
+        return found
 
-    def infeasible(self, units: Iterable[Unit]) -> bool:
-        """Tell whether it is proved that units cannot hold together."""
-        return self.ask(units).status == "infeasible"
-
-    def _witnessed(self, units: frozenset[Unit]) -> Verdict | None:
+    def _witnessed(self, units: Sequence[Unit]) -> Verdict | None:
         for witness in self.witnesses:
             if all(witness.keeps(unit) for unit in units):
                 return Verdict("found", witness.root)
@@ -124,31 +157,26 @@ class Judge:
         if witness.keeps(self.always):
             self.witnesses.insert(0, witness)
 
-    def _search(self, units: Sequence[Unit]) -> Verdict:
-        """Look whether it is decided soon; then with the input's words where any would do; then thoroughly."""
-        own = self._searcher(flat(units))
+    def _search(self, units: Sequence[Unit], node_limit: int) -> Verdict:
+        """Look whether the input's words will do where any would; then for others."""
+        constraints = flat(units)
         free = free_regions(self.facade, units)
-        found = self._run(own, min(_GLANCE, self.node_limit) if free else self.node_limit)
-        if free and found.status == "limit":
-            helped = self._searcher((*flat(units), *(InputWord(path=path) for path in free)))
-            found = self._run(helped, self.node_limit)
-            if found.status != "found":
-                found = self._run(own, self.node_limit)
-        if found.root is not None:
-            self._admit(found.root)
-        return found
+        if free:
+            helped = self._run((*constraints, *(InputWord(path=path) for path in free)), node_limit)
+            if helped.status == "found":
+                return helped
+        return self._run(constraints, node_limit)
 
-    def _searcher(self, constraints: Sequence[Constraint]) -> Search:
-        model = Model(self.facade, (*self.always.constraints, *constraints))
-        return Search(model, self.size, BACKENDS)
-
-    def _run(self, search: Search, node_limit: int) -> Verdict:
+    def _run(self, constraints: Sequence[Constraint], node_limit: int) -> Verdict:
         self.searched += 1
+        model = Model(self.facade, (*self.always.constraints, *constraints))
         try:
-            found = search.variation(self.seed, 0, node_limit)
+            found = Search(model, self.size, BACKENDS).variation(self.seed, 0, node_limit)
         except TooManyStates:
             return Verdict("limit")
-        return Verdict(found.status, found.root)
+        if found.root is not None:
+            self._admit(found.root)
+        return Verdict(found.status, found.root, found.nodes)
 
 
 def _scaled(region: Region, width: float, height: float) -> Region:

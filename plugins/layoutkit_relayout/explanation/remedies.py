@@ -5,9 +5,10 @@ Each is found by search, not by reckoning: what is said to help has been seen to
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from itertools import combinations, islice
 
 from layoutkit.constraints import Constraint, Size
 from layoutkit.constraints import Sequence as SequenceConstraint
@@ -18,11 +19,15 @@ from layoutkit.model import Measure, Region, place
 from layoutkit.model.conflict import Amount, Remedy
 from layoutkit_relayout.explanation import wording
 from layoutkit_relayout.explanation.bounds import COUNTS, End, Scale, end_of, ends_of, with_end
-from layoutkit_relayout.explanation.judge import Judge
+from layoutkit_relayout.explanation.judge import Judge, Witness
 from layoutkit_relayout.explanation.units import Unit, without
 
 #: Sizes that are tried for the facade, as multiples of the one asked for, beside the input's own.
-_SIZES = (1.25, 2.0, 4.0, 0.8, 0.5, 0.25)
+_SIZES = (2.0, 0.5)
+#: Times that a run of regions is repeated at most, and how many arrangements are tried.
+_MOST_TIMES, _MOST_EDITED = 8, 400
+#: The rank of arrangements that have nothing to do with the input's.
+FAR_FETCHED = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +37,8 @@ class Way:
     Attributes
     ----------
     rank
-        The lower, the milder: changes of degree go before those of the facade's size, and those before others.
+        The lower, the milder: changes of degree (0) go before arrangements much like the input's (1), those
+        before constraints left out (2), and any other arrangements come last (3).
     change
         The change as a share of what is changed; 0 where it is not one of degree.
     """
@@ -47,7 +53,7 @@ Parts = Mapping[Unit, tuple[Constraint, ...]]
 
 
 def ways_out(judge: Judge, units: Sequence[Unit], parts: Parts) -> list[Way]:
-    """Return every single change that settles a conflict, the mildest first.
+    """Return every single change of a member that settles a conflict.
 
     Parameters
     ----------
@@ -61,8 +67,17 @@ def ways_out(judge: Judge, units: Sequence[Unit], parts: Parts) -> list[Way]:
         rest = without(units, unit)
         if judge.ask(rest).status == "found":
             found += _of_member(judge, rest, unit, own, number)
-    found += (way for axis in (0, 1) for way in _resized(judge, units, axis))
-    return sorted(found, key=lambda way: (way.rank, way.change))
+    return found
+
+
+def in_order(ways: Iterable[Way]) -> list[Way]:
+    """Return ways out, the mildest first."""
+    return sorted(ways, key=lambda way: (way.rank, way.change))
+
+
+def other_sizes(judge: Judge, units: Sequence[Unit]) -> list[Way]:
+    """Return, for each axis, the nearest size of the facade that settles all conflicts, if one is found."""
+    return [way for axis in (0, 1) for way in _resized(judge, units, axis)]
 
 
 def _of_member(
@@ -84,14 +99,14 @@ def _dropped(judge: Judge, rest: Sequence[Unit], constraint: Constraint, number:
     line = f" (line {constraint.place.line})" if constraint.place and constraint.place.line else ""
     root = judge.ask(rest).root
     assert root is not None  # found, as the caller has seen
-    if not isinstance(constraint, Size):
-        yield Way(Remedy(f"leave out the {constraint.kind}{line}", number, (constraint,)), root, 3)
+    if not ends_of(constraint):
+        yield Way(Remedy(f"leave out the {constraint.kind}{line}", number, (constraint,)), root, 2)
         return
-    # Without it, a default would hold: an open range is what leaves the size free.
+    # Without it, something stricter may hold by default: it is the open range that leaves all free.
     free = with_end(with_end(constraint, "min", None), "max", None)
     if (root := judge.ask([*rest, Unit.of(free)]).root) is not None:
-        text = f"take min and max off the size{line}"
-        yield Way(Remedy(text, number, (constraint,), (free,)), root, 3)
+        text = f"take min and max off the {constraint.kind}{line}"
+        yield Way(Remedy(text, number, (constraint,), (free,)), root, 2)
 
 
 def _widened(
@@ -104,17 +119,22 @@ def _widened(
         return
     scale = Scale(start, end, isinstance(constraint, COUNTS))
 
-    def root_at(step: int) -> Region | None:
-        return judge.ask([*rest, Unit.of(with_end(constraint, end, scale.at(step)))]).root
+    def at(step: int) -> Unit:
+        return Unit.of(with_end(constraint, end, scale.at(step)))
 
-    step = least(root_at, scale.most)
-    if step is None:
+    def needed(root: Region) -> int | None:
+        witness = Witness(judge.facade, root)
+        return first(lambda step: witness.keeps(at(step)), scale.most)
+
+    without_end = judge.ask([*rest, Unit.of(with_end(constraint, end, None))]).root
+    if without_end is None or (step := needed(without_end)) is None:
         return
+    step = least(lambda step: judge.ask([*rest, at(step)]).root, needed, step)
     to = scale.at(step)
     wider = with_end(constraint, end, to)
     root = judge.ask([*rest, Unit.of(wider)]).root
     assert root is not None  # the least step was taken because there was one
-    text = wording.widening(unit, end, to, own, judge.facade)
+    text = wording.widening(unit, end, to, judge.facade)
     change = abs(to.value - start.value)
     removed = () if unit.by_default else (constraint,)
     missing = _missing(judge, unit, own, change, start)
@@ -136,36 +156,76 @@ def _missing(
     return None
 
 
-def least(root_at: Callable[[int], Region | None], most: int) -> int | None:
-    """Return the least step from 1 to `most` at which there is a layout, or None.
-
-    Where there is one, there is one at all greater steps, too.
-    """
+def first(holds: Callable[[int], bool], most: int) -> int | None:
+    """Return the least step from 1 to `most` at which something holds that then holds at all greater ones."""
     low, high = 0, 1
-    while root_at(high) is None:
+    while not holds(high):
         if high >= most:
             return None
         low, high = high, min(4 * high, most)
     while high - low > 1:
         middle = (low + high) // 2
-        low, high = (low, middle) if root_at(middle) is not None else (middle, high)
+        low, high = (low, middle) if holds(middle) else (middle, high)
+    return high
+
+
+def least(root_at: Callable[[int], Region | None], needed: Callable[[Region], int | None], known: int) -> int:
+    """Return the least step at which there is a layout, from one at which there is.
+
+    Parameters
+    ----------
+    root_at
+        Looks for a layout at a step; it is a long way, so it is asked little.
+    needed
+        The step that a layout gets by with.
+    """
+    low, high, stride = 0, known, 1
+    while high - low > 1:
+        # A layout mostly has no more room than it needs: go down from it, not up from nothing.
+        probe = max(high - stride, low + 1) if stride else (low + high) // 2
+        root = root_at(probe)
+        if root is None:
+            low, stride = probe, 0
+        else:
+            high, stride = min(probe, needed(root) or probe), 2 * stride
     return high
 
 
 def _permitted(judge: Judge, rest: Sequence[Unit], unit: Unit, number: int) -> Way:
     """Return the way out by further arrangements of a region: those of a layout that was found."""
     facade, region = judge.facade, unit.region
-    root = judge.ask(rest).root
+    similar = tuple(
+        SequenceConstraint(within=(region,), word=word)
+        for symbols in edited(facade.regions[region].word)
+        for word in replication(symbols)
+    )
+    root, rank = judge.ask([*rest, Unit(similar, similar, region)]).root, 1
+    if root is None:
+        root, rank = judge.ask(rest).root, FAR_FETCHED
     assert root is not None  # found, as the caller has seen
     words = list(dict.fromkeys(p.region.word for p in place(root) if p.symbol_path == region))
     kept = [facade.regions[region].word] if isinstance(unit.constraints[0], InputWord) else []
-    added = [
+    added = tuple(
         SequenceConstraint(within=(region,), word=word)
         for symbols in dict.fromkeys([*kept, *words])
         for word in replication(symbols)
-    ]
+    )
     text = wording.permission(region, words, facade)
-    return Way(Remedy(text, number, (), tuple(added)), root, 2)
+    return Way(Remedy(text, number, (), added), root, rank, float(sum(map(len, words))))
+
+
+def edited(word: Sequence[str]) -> list[tuple[str, ...]]:
+    """Return words that come of one by leaving out or repeating a run: some hundreds at most.
+
+    At least half of the word stays.
+    """
+    words = (
+        (*word[:start], *(word[start:end] * times), *word[end:])
+        for times in (0, *range(2, _MOST_TIMES + 1))
+        for start, end in combinations(range(len(word) + 1), 2)
+    )
+    near = (tuple(found) for found in words if 2 * len(found) >= len(word))
+    return list(islice(dict.fromkeys(near), _MOST_EDITED))
 
 
 def _resized(judge: Judge, units: Sequence[Unit], axis: int) -> Iterator[Way]:
@@ -188,11 +248,11 @@ def _resized(judge: Judge, units: Sequence[Unit], axis: int) -> Iterator[Way]:
         return float((start + sign * step) * unit)
 
     last = abs(int((Decimal(repr(target)) / unit).to_integral_value() - start)) + 1
-    step = least(lambda n: judge.at(at(value(n))).ask(units).root, last)
+    step = first(lambda n: judge.at(at(value(n))).ask(units).root is not None, last)
     new = target if step is None else value(step)
     found = judge.at(at(new)).ask(units).root
     if found is not None:
         what = ("wide", "high")[axis]
         text = f"make the facade {wording.length(new, judge.facade)} {what}"
         missing = Amount(abs(new - size), judge.facade.units)
-        yield Way(Remedy(text, None, size=at(new), amount=missing), found, 1, abs(new - size) / size)
+        yield Way(Remedy(text, None, size=at(new), amount=missing), found, 0, abs(new - size) / size)

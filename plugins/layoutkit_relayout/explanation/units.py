@@ -14,7 +14,7 @@ from layoutkit.model import Facade, Measure
 
 #: No region becomes smaller than this share of its input size, whichever constraints are left out, unless one
 #: of its own states a smaller minimum.
-FLOOR = 0.01
+FLOOR = 0.1
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -90,7 +90,7 @@ def _demands_nothing(constraint: Constraint) -> bool:
 
 
 def background(facade: Facade) -> tuple[Constraint, ...]:
-    """Return what holds whichever units are left out: least sizes, and leave to differ from place to place."""
+    """Return what holds whichever units are left out: least sizes, and leave to differ by place."""
     effective = effective_constraints(facade)
     floors: dict[str, float] = {}
     for constraint in effective:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from layoutkit.constraints import Constraint, Size
+from layoutkit.constraints import Constraint, Instances, Size
 from layoutkit.constraints import Sequence as SequenceConstraint
 from layoutkit.constraints.attributes import Attribute
 from layoutkit.constraints.defaults import InputWord
 from layoutkit.constraints.size import input_size
-from layoutkit.model import Facade, Measure, Region, Word, place
+from layoutkit.model import Facade, Measure, Region, place
 from layoutkit.model.conflict import Amount
 from layoutkit.model.measure import format_number
-from layoutkit_relayout.explanation.bounds import COUNTS, End, end_of, ends_of
+from layoutkit_relayout.explanation.bounds import ENDS, End, end_of, ends_of
 from layoutkit_relayout.explanation.units import Unit
 
 #: Types of attributes that say what a constraint speaks of.
@@ -23,6 +23,8 @@ _ENDS: dict[End, str] = {"min": "at least", "max": "at most"}
 #: Names and words listed one by one; further ones are only counted.
 _LISTED = 2
 _SYMBOLS = 9
+#: Characters of a name within a sentence.
+_SHORT = 40
 
 
 def subject(unit: Unit, regions: Sequence[str], facade: Facade) -> str:
@@ -40,8 +42,9 @@ def subject(unit: Unit, regions: Sequence[str], facade: Facade) -> str:
         plain = all(isinstance(source, SequenceConstraint) for source in unit.sources)
         return f"{'sequences' if plain else 'arrangements'} of {unit.region}"
     shown = {a.name: _text(a, first) for a in _said(first) if a.type.name in _SUBJECTS}
-    if "of" in shown and 0 < len(regions) <= _LISTED:
-        shown["of"] = " and ".join(regions)
+    by_region = isinstance(first, Size | Instances) and regions
+    if by_region and (len(regions) <= _LISTED or len(shown["of"]) > _SHORT):
+        shown["of"] = _listed(regions)
     inside = [_text(a, first) for a in _said(first) if a.type.name == "enclosing path"]
     return f"{first.kind} of {' and '.join(shown.values())}" + "".join(f" in {path}" for path in inside)
 
@@ -59,24 +62,31 @@ def demand(unit: Unit, parts: Sequence[Constraint], facade: Facade) -> str:
         return f"as in the input: {_word(facade.regions[unit.region].word)}"
     if unit.region:
         return ", ".join(dict.fromkeys(_rule(source) for source in unit.sources))
-    said = dict.fromkeys(_bound(part, end, facade) for part in parts for end in ends_of(part))
-    return ", ".join([*said, *_further(first)])
+    said = (_range(end, [p for p in parts if end in ends_of(p)], facade) for end in ENDS)
+    return ", ".join([*filter(None, said), *_further(first)])
+
+
+def _listed(regions: Sequence[str]) -> str:
+    if len(regions) <= _LISTED:
+        return " and ".join(regions)
+    return f"{', '.join(regions[:_LISTED])} and {len(regions) - _LISTED} more"
 
 
 def _rule(source: Constraint) -> str:
     return str(source.word) if isinstance(source, SequenceConstraint) else str(source)
 
 
-def _bound(part: Constraint, end: End, facade: Facade) -> str:
-    measure = end_of(part, end)
-    assert measure is not None  # it is one of those that are stated
-    if not isinstance(part, Size):
+def _range(end: End, parts: Sequence[Constraint], facade: Facade) -> str:
+    """Return an end that parts of one constraint have: as a size where it is the same for all of them."""
+    if not parts:
+        return ""
+    measure = end_of(parts[0], end)
+    assert measure is not None  # it is one that they state
+    paths = {path for part in parts if isinstance(part, Size) for path in facade.select(part.of)}
+    sizes = {measure.of(input_size(facade, path)) for path in paths}
+    if len(sizes) != 1:
         return f"{_ENDS[end]} {measure}"
-    sizes = {measure.of(input_size(facade, path)) for path in facade.select(part.of)}
-    if len(sizes) > 1:
-        return f"{_ENDS[end]} {measure}"
-    absolute = length(sizes.pop(), facade)
-    return f"{_ENDS[end]} {absolute}" + (f" ({measure})" if measure.relative else "")
+    return f"{_ENDS[end]} {length(sizes.pop(), facade)}" + (f" ({measure})" if measure.relative else "")
 
 
 def _further(constraint: Constraint) -> list[str]:
@@ -134,43 +144,30 @@ def name(path: str, facade: Facade) -> str:
     return next((s for s in shorter if not any(o.endswith(f"/{s}") for o in others)), path)
 
 
-def widening(unit: Unit, end: End, to: Measure, parts: Sequence[Constraint], facade: Facade) -> str:
+def widening(unit: Unit, end: End, to: Measure, facade: Facade) -> str:
     """Return how to say that an end of a range is moved out."""
     constraint = unit.constraints[0]
+    new = str(to)
     if isinstance(constraint, Size):
         paths = facade.select(constraint.of)
-        what = name(paths[0], facade) if len(paths) == 1 else str(constraint.of)
         sizes = {to.of(input_size(facade, path)) for path in paths}
-        new = str(to) if to.relative else length(to.value, facade)
-        if to.relative and len(sizes) == 1:
-            new = f"{to} ({length(sizes.pop(), facade)})"
+        if len(sizes) == 1:
+            new = length(sizes.pop(), facade) if not to.relative else f"{to} ({length(sizes.pop(), facade)})"
+        what = name(paths[0], facade) if len(paths) == 1 else _short(str(constraint.of), constraint)
     else:
-        what, new = subject(unit, (), facade), str(to)
+        what = _short(subject(unit, (), facade), constraint)
     if unit.by_default:
         return f"give {what} a size of its own, {_ENDS[end]} {new}"
     return f"{'lower the minimum' if end == 'min' else 'raise the maximum'} of {what} to {new}"
+
+
+def _short(text: str, constraint: Constraint) -> str:
+    """Return a name, or the line where it is told if the name is long."""
+    line = constraint.place.line if constraint.place is not None else 0
+    return text if len(text) <= _SHORT or not line else f"the {constraint.kind} in line {line}"
 
 
 def permission(region: str, words: Iterable[tuple[str, ...]], facade: Facade) -> str:
     """Return how to say that a region may have further arrangements."""
     shown = " or ".join(_word(word) for word in words)
     return f"allow {shown} in {name(region, facade)} by a further sequence"
-
-
-def whole(symbols: Sequence[str]) -> Word:
-    """Return the sequence that admits an arrangement as a whole."""
-    return Word.parse(" ".join(["⊢", *symbols, "⊣"]))
-
-
-__all__ = [
-    "COUNTS",
-    "amount",
-    "demand",
-    "length",
-    "name",
-    "permission",
-    "repeated",
-    "subject",
-    "whole",
-    "widening",
-]

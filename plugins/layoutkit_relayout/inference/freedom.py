@@ -33,21 +33,21 @@ class Freedom:
     walls
         Sizes of walls, the space between elements.
     order
-        Which bays may be neighbours: those that are in the input (``kept``), or all whose edges match
-        (``matching``).
+        The order of bays and floors: the input's, in which some repeat (``kept``); any in which the edges of
+        neighbours match (``matching``); any (``free``).
     lockstep
-        Whether floors that share their bays keep on sharing them.
+        Whether floors that share their bays keep on sharing them, one above the other.
     rare
-        Greatest count of rare bays, as a multiple of the input's.
+        Greatest count of rare bays, as a multiple of the input's; None for any.
     """
 
     elements: Span
     rooms: Span
     floors: Span
     walls: Span
-    order: Literal["kept", "matching"]
+    order: Literal["kept", "matching", "free"]
     lockstep: bool
-    rare: float
+    rare: float | None
 
 
 LEVELS: Mapping[Level, Freedom] = {
@@ -74,8 +74,8 @@ LEVELS: Mapping[Level, Freedom] = {
         Span(0.5, 2.5, 0.12),
         Span(0.7, 1.6, 0.06),
         Span(0.35, 5.0, 0.25),
-        "matching",
+        "free",
         False,
-        3.0,
+        None,
     ),
 }

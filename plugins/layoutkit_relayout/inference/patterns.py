@@ -29,16 +29,21 @@ def told(facade: Facade, within: Sequence[str], words: Sequence[Word], comment: 
     within
         Paths of regions with the same symbols.
     """
-    region = facade.regions[within[0]]
-    covered = sequences(within, words, comment)
-    found = language(Covering(tuple(c.piece(region) for c in covered)), tuple(names_of(region)))
+    found = covered(facade, within[0], words)
     pattern = pattern_of(found)
-    if not _marks(pattern) and found.after(region.word) != DEAD:
+    if not _marks(pattern) and facade.regions[within[0]].word in found:
         yield Replication(within=tuple(within), comment="the arrangement stays as it is")
     elif not _alternatives_in(pattern) and _size(pattern) < sum(map(_names, words)):
         yield Repetition(within=tuple(within), pattern=pattern, comment=comment)
     else:
-        yield from covered
+        yield from sequences(within, words, comment)
+
+
+def covered(facade: Facade, path: str, words: Sequence[Word]) -> Language:
+    """Return the arrangements of a region that sequences cover."""
+    region = facade.regions[path]
+    pieces = tuple(sequence.piece(region) for sequence in sequences([path], words))
+    return language(Covering(pieces), tuple(names_of(region)))
 
 
 def pattern_of(words: Language) -> Pattern:

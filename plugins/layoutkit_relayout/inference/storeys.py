@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from layoutkit.constraints import Constraint
 from layoutkit.model import Facade, Region, RegionSet, Word
@@ -12,6 +12,12 @@ from layoutkit_relayout.inference.freedom import Freedom
 from layoutkit_relayout.inference.labels import FLOOR, GROUNDED, OUTSIDE
 from layoutkit_relayout.inference.lockstep import locksteps
 from layoutkit_relayout.inference.patterns import told
+
+_MEANING = {
+    "kept": "upper floors may repeat, with what is between them",
+    "matching": "upper floors may repeat or be left out, with what is between them",
+    "free": "upper floors in any order and number, each with what is above it",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,10 +48,10 @@ def storeys(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
         if region.split == "rows" and sum(map(is_floor, region.children)) >= 2:
             shared = {p for lockstep in locksteps(facade) if len(lockstep.paths) > 1 for p in lockstep.paths}
             free = {child.symbol for child in region.children if _may_vary(child)}
-            free = {s for s in free if f"{path}/{s}" in shared} or free
+            if freedom.order != "free":
+                free = {s for s in free if f"{path}/{s}" in shared} or free
             words = _words(_read(region), free, freedom)
-            comment = "upper floors may repeat or be left out, with what is between them"
-            yield from told(facade, [path], words, comment)
+            yield from told(facade, [path], words, _MEANING[freedom.order])
 
 
 def is_floor(region: Region) -> bool:
@@ -67,18 +73,39 @@ def _words(found: Storeys, may_vary: Collection[str], freedom: Freedom) -> list[
     free = [i for i in range(last) if found.floors[i] in may_vary]
     if len(free) > 1 and free[0] == 0:
         free = free[1:]  # the top floor bears the roof
-    ways: dict[tuple[str, ...], None] = {}
-    for i in range(last):
-        ways[(found.floors[i], *found.gaps[i], found.floors[i + 1])] = None
-    for i in free:
-        between = found.gaps[i - 1] if i > 0 else found.gaps[i]
-        ways[(found.floors[i], *between, found.floors[i])] = None
-        if i > 0 and freedom.order == "matching":
-            ways[(found.floors[i - 1], *found.gaps[i], found.floors[i + 1])] = None
+    ways = dict.fromkeys(_way(found, i, i + 1) for i in range(last))
+    ways.update(dict.fromkeys(_way(found, i, j) for i, j in _transitions(free, last, freedom)))
     words = [_word((*found.head, found.floors[0]), at_start=True)]
     words += [_word(way) for way in ways]
     words.append(_word((found.floors[-1], *found.foot), at_end=True))
     return words
+
+
+def _transitions(free: Sequence[int], last: int, freedom: Freedom) -> Iterator[tuple[int, int]]:
+    """Yield which floor may stand above which, by their numbers in the input, besides the input's own pairs.
+
+    Repeated: a free floor above itself. One left out: the floor above it above the one below it. In free
+    order: any of neighbouring free floors above any of them, and each of them where the others may be.
+    """
+    yield from ((i, i) for i in free)
+    if freedom.order == "matching":
+        yield from ((i - 1, i + 1) for i in free if i > 0)
+    elif freedom.order == "free":
+        for block in _blocks(free):
+            above = [block[0] - 1, *block] if block[0] > 0 else block
+            yield from ((i, j) for i in above for j in (*block, block[-1] + 1))
+
+
+def _blocks(numbers: Sequence[int]) -> Iterator[list[int]]:
+    """Yield runs of numbers that follow one another."""
+    for _, block in groupby(enumerate(numbers), key=lambda pair: pair[1] - pair[0]):
+        yield [number for _, number in block]
+
+
+def _way(found: Storeys, above: int, below: int) -> tuple[str, ...]:
+    """Return two floors with what is between them: what is above the lower one in the input."""
+    between = found.gaps[below - 1] if below > 0 else found.gaps[0]
+    return found.floors[above], *between, found.floors[below]
 
 
 def _may_vary(floor: Region) -> bool:

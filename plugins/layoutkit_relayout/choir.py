@@ -1,0 +1,528 @@
+"""Words of coupled floors, drawn together: their lines meet at the sizes of the input.
+
+Where floors are coupled by alignments alone, hardly any two words drawn by themselves fit each other. At its
+input size each letter has one width, so that a word's lines are known from its letters. All words are then
+written at once, from left to right, always the one that is furthest behind: a letter may stand where it is in
+line with, or apart from, whatever it overlaps. Where that leads nowhere is remembered. What comes out is a
+proposal, which sizing stretches to the length that is asked for, or refuses; no proof rests on it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from layoutkit.constraints import Alignment
+from layoutkit.constraints.alignment import LINES
+from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.machine import Machine, chain
+from layoutkit_relayout.model import Floats, Model
+
+Word = tuple[str, ...]
+#: For each voice: the state of its machine, how far it has come (in units), and its last letter.
+Moment = tuple[tuple[int, int, int], ...]
+
+#: Lines meet, and ends are equal, to this share of the length.
+_NEAR = 2e-3
+#: Places are told apart by this share of that.
+_UNITS = 4
+#: How far the length at the input's sizes may be from the one asked for, and how far it typically is.
+_REACH, _TYPICAL = 0.35, 0.05
+#: Moments that one draw looks at before it gives up.
+_MOST_MOMENTS = 1500
+#: Places that one voice may have.
+_MOST_PLACES = 30_000
+
+
+@dataclass(frozen=True, eq=False)
+class Voice:
+    """A group whose word is to be written along the whole facade.
+
+    Attributes
+    ----------
+    machine
+        Its words; where one is chosen already, that one alone.
+    weights
+        Weight of each letter in each state.
+    """
+
+    group: WordGroup
+    machine: Machine
+    weights: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class _Part:
+    """A voice with the widths of its letters, and what can be completed from where.
+
+    Attributes
+    ----------
+    steps
+        How far each letter of the machine goes, in units; in mirrored words the middle one half as far.
+    widths
+        The width of each letter.
+    mass
+        For each state and place from which the end can be reached: the weight of all ways there.
+    """
+
+    voice: Voice
+    steps: tuple[float, ...]
+    widths: tuple[float, ...]
+    moves: tuple[tuple[tuple[int, int], ...], ...]
+    mass: Mapping[tuple[int, int], float]
+
+
+class Choir:
+    """Proposes words of one facade at one size.
+
+    Parameters
+    ----------
+    size
+        Width and height, in document units.
+    """
+
+    def __init__(self, model: Model, size: tuple[float, float]) -> None:
+        self.model, self.size = model, size
+        self._scores: dict[object, _Scores | None] = {}
+        self._insides: dict[tuple[str, int], tuple[tuple[str, float, float], ...]] = {}
+        self._lines: dict[tuple[WordGroup, str, WordGroup, str], tuple[_Line, ...]] = {}
+
+    def spans(self, group: WordGroup) -> bool:
+        """Tell whether a group's words run along the whole facade."""
+        axis = self.model.axis(group.members[0])
+        for member in group.members:
+            above = member.rpartition("/")[0]
+            while above:
+                if self.model.axis(above) == axis:
+                    return False
+                above = above.rpartition("/")[0]
+        return True
+
+    def partners(self, group: WordGroup) -> frozenset[WordGroup]:
+        """Return the groups, itself among them, whose words have to meet the group's, directly or not."""
+        return self._companies.get(group, frozenset((group,)))
+
+    @cached_property
+    def _companies(self) -> dict[WordGroup, frozenset[WordGroup]]:
+        found: dict[WordGroup, frozenset[WordGroup]] = {}
+        for group, others in self._meeting.items():
+            company = frozenset((group, *others))
+            union = company.union(*(found.get(member, frozenset()) for member in company))
+            for member in union:
+                found[member] = union
+        return found
+
+    def meet(self, one: WordGroup, other: WordGroup) -> bool:
+        """Tell whether something in one group's words has to be in line with something in the other's."""
+        return other in self._meeting.get(one, ())
+
+    @cached_property
+    def _meeting(self) -> dict[WordGroup, set[WordGroup]]:
+        found: defaultdict[WordGroup, set[WordGroup]] = defaultdict(set)
+        for axis in (0, 1):
+            for path, partners in self._partners[axis].items():
+                one = self._governing(path, axis)
+                for other in (self._governing(partner, axis) for partner in partners):
+                    if one is not None and other is not None and one is not other:
+                        found[one].add(other)
+        return dict(found)
+
+    def _governing(self, path: str, axis: int) -> WordGroup | None:
+        """Return the group that runs along the whole facade in which a region stands."""
+        steps = path.split("/")
+        for number in range(1, len(steps)):
+            above = "/".join(steps[:number])
+            if self.model.axis(above) == axis:
+                return self.model.group_of[above]
+        return None
+
+    @cached_property
+    def _partners(self) -> tuple[dict[str, dict[str, list[tuple[float, ...]]]], ...]:
+        """For each axis and path, the paths that it may have to be in line with, and by which lines."""
+        found: tuple[dict[str, dict[str, list[tuple[float, ...]]]], ...] = {}, {}
+        for constraint in self.model.constraints:
+            if isinstance(constraint, Alignment) and not _in_context(constraint):
+                lines = tuple(LINES[line][1] for line in constraint.lines)
+                sides = [self.model.facade.select(s) for s in (constraint.first, constraint.second)]
+                for one, other in (sides, sides[::-1]):
+                    for path in one:
+                        for partner in other:
+                            known = found[constraint.axis].setdefault(path, {})
+                            known.setdefault(partner, []).append(lines)
+        return found
+
+    def propose(
+        self, voices: Sequence[Voice], generator: np.random.Generator
+    ) -> dict[WordGroup, Word] | None:
+        """Draw words for all voices at once; None where none are found this time."""
+        key = tuple((voice.group, voice.machine) for voice in voices)
+        if key not in self._scores:
+            self._scores[key] = self._prepared(voices)
+        prepared = self._scores[key]
+        share, salt = generator.random(), int(generator.integers(2**62))
+        if prepared is None:
+            return None
+        return _performed(prepared.at(share), salt)
+
+    def _prepared(self, voices: Sequence[Voice]) -> _Scores | None:
+        """Walk through the places of all voices; None where they have no length in common."""
+        if len({voice.machine.spelled is None for voice in voices}) > 1:
+            return None  # halves and whole words do not run side by side
+        axis = self.model.axis(voices[0].group.members[0])
+        unit = _NEAR * self.size[axis] / _UNITS
+        half = voices[0].machine.spelled is not None
+        length = self.size[axis] / unit / (2 if half else 1)
+        exact: dict[int, float] = {0: 0.0}
+        walks = [_walk(voice, self._widths(voice, unit), (1 + _REACH) * length, exact) for voice in voices]
+        common: list[int] | None = None
+        for walk in walks:
+            ends = walk.ends((1 - _REACH) * length)
+            if common is None:
+                common = ends
+            else:
+                common = [end for end in common if any(abs(end - other) <= _UNITS for other in ends)]
+        if not common:
+            return None
+        nearness = np.array([math.exp(-abs(end / length - 1) / _TYPICAL) for end in common])
+        return _Scores(self, tuple(walks), exact, tuple(common), np.cumsum(nearness))
+
+    def _widths(self, voice: Voice, unit: float) -> tuple[float, ...]:
+        """Return the width of each letter of a voice, in units."""
+        member = voice.group.members[0]
+        centres = {
+            letter: self.model.centre(f"{member}/{symbol}") / unit
+            for letter, symbol in voice.group.symbols[member].items()
+        }
+        return tuple(sum(centres[letter] for letter in own) / len(own) for own in voice.machine.parts)
+
+    def lines(self, one: Voice, letter: str, other: Voice, another: str) -> tuple[_Line, ...]:
+        """Return what has to meet between two letters of two voices."""
+        key = (one.group, letter, other.group, another)
+        if key not in self._lines:
+            self._lines[key] = tuple(self._between(one.group, letter, other.group, another))
+        return self._lines[key]
+
+    def _between(self, one: WordGroup, letter: str, other: WordGroup, another: str) -> Iterator[_Line]:
+        axis = self.model.axis(one.members[0])
+        for member in one.members:
+            for path, *share in self._inside(f"{member}/{one.symbols[member][letter]}", axis):
+                partners = self._partners[axis].get(path, {})
+                for neighbour in other.members:
+                    region = f"{neighbour}/{other.symbols[neighbour][another]}"
+                    for partner, *own in self._inside(region, axis):
+                        for lines in partners.get(partner, ()):
+                            yield _Line((share[0], share[1]), (own[0], own[1]), lines)
+
+    def _inside(self, path: str, axis: int) -> tuple[tuple[str, float, float], ...]:
+        """Return what stands in a region along an axis, itself first: paths that are tied, with shares."""
+        key = (path, axis)
+        if key not in self._insides:
+            found: dict[tuple[str, float, float], None] = {}
+            pending = [(path, 0.0, 1.0)]
+            while pending:
+                own, start, end = pending.pop()
+                if own in self._partners[axis]:
+                    found[own, start, end] = None
+                group = self.model.group_of.get(own)
+                if group is None or group.forced is None:
+                    continue
+                word = group.word_of(own, group.forced)
+                if self.model.axis(own) != axis:
+                    pending += [(f"{own}/{symbol}", start, end) for symbol in dict.fromkeys(word)]
+                    continue
+                sizes = [self.model.centre(f"{own}/{symbol}") for symbol in word]
+                for symbol, size in zip(word, sizes, strict=True):
+                    after = start + (end - start) * size / sum(sizes)
+                    pending.append((f"{own}/{symbol}", start, after))
+                    start = after
+            self._insides[key] = tuple(found)
+        return self._insides[key]
+
+
+@dataclass(frozen=True, slots=True)
+class _Line:
+    """Two things, each a share of its letter, that have to meet at some lines where they overlap."""
+
+    first: tuple[float, float]
+    second: tuple[float, float]
+    lines: tuple[float, ...]
+
+    def mirrored(self) -> _Line:
+        """Return what has to meet where both letters stand at the far end instead."""
+        first, second = ((1 - end, 1 - start) for start, end in (self.first, self.second))
+        return _Line(first, second, tuple(1 - share for share in self.lines))
+
+    def clash(self, start: float, width: float, other: float, breadth: float) -> bool:
+        """Tell whether two letters at two places keep them from meeting."""
+        a, b = start + self.first[0] * width, start + self.first[1] * width
+        c, d = other + self.second[0] * breadth, other + self.second[1] * breadth
+        if min(b, d) - max(a, c) <= _UNITS:
+            return False
+        return any(abs(a + share * (b - a) - c - share * (d - c)) > _UNITS for share in self.lines)
+
+
+def _in_context(constraint: Alignment) -> bool:
+    """Tell whether it only speaks of some occurrences: which ones is not known before the words are there."""
+    sides = (
+        constraint.first_before,
+        constraint.first_after,
+        constraint.second_before,
+        constraint.second_after,
+    )
+    return any(context is not None for context in sides)
+
+
+@dataclass(frozen=True, eq=False)
+class _Walk:
+    """All places that a voice reaches by itself: for each, the letters that go on, and where they lead."""
+
+    voice: Voice
+    steps: tuple[float, ...]
+    widths: tuple[float, ...]
+    moves: tuple[tuple[tuple[int, int], ...], ...]
+    following: Mapping[tuple[int, int], Sequence[tuple[int, tuple[int, int]]]]
+
+    def ends(self, least: float) -> list[int]:
+        """Return where words may end, from a length on."""
+        accepting = self.voice.machine.accepting
+        return sorted({key for state, key in self.following if accepting[state] and key >= least})
+
+    def to(self, end: int) -> _Part:
+        """Count back from one end, for each place, the weight of all ways to it."""
+        mass: dict[tuple[int, int], float] = {}
+        machine, weights = self.voice.machine, self.voice.weights
+        for place in sorted((p for p in self.following if p[1] <= end + _UNITS), key=lambda p: -p[1]):
+            total = 1.0 if machine.accepting[place[0]] and abs(place[1] - end) <= _UNITS else 0.0
+            for letter, reached in self.following[place]:
+                total += mass.get(reached, 0.0) * float(weights[place[0], letter])
+            if total > 0:
+                mass[place] = total
+        return _Part(self.voice, self.steps, self.widths, self.moves, mass)
+
+
+def _walk(voice: Voice, widths: tuple[float, ...], far: float, exact: dict[int, float]) -> _Walk:
+    """Go through all places, up to a length, that a voice reaches."""
+    machine = voice.machine
+    half = machine.spelled is not None
+    steps = tuple(
+        width / 2 if half and len(own) == 1 else width
+        for width, own in zip(widths, machine.parts, strict=True)
+    )
+    moves = tuple(
+        tuple((letter, int(after)) for letter, after in enumerate(row) if after >= 0) for row in machine.next
+    )
+    following: dict[tuple[int, int], list[tuple[int, tuple[int, int]]]] = {}
+    pending = [] if machine.empty else [(0, 0)]
+    for place in pending:  # which grows meanwhile
+        if place in following:
+            continue
+        own = following[place] = []
+        for letter, after in moves[place[0]]:
+            reached = exact[place[1]] + steps[letter]
+            if reached <= far and len(following) < _MOST_PLACES:
+                new = round(reached)
+                exact.setdefault(new, reached)
+                own.append((letter, (after, new)))
+                pending.append((after, new))
+    return _Walk(voice, steps, widths, moves, following)
+
+
+@dataclass(frozen=True, eq=False)
+class _Scores:
+    """Voices with the lengths that they have in common, near ones likelier; each made ready when drawn."""
+
+    choir: Choir
+    walks: tuple[_Walk, ...]
+    exact: dict[int, float]
+    ends: tuple[int, ...]
+    weights: Floats
+    made: dict[int, _Score] = field(default_factory=dict)
+
+    def at(self, share: float) -> _Score:
+        """Return the voices for the length at a share (0 to 1) of all weight."""
+        end = self.ends[int(np.searchsorted(self.weights, share * self.weights[-1], side="right"))]
+        if end not in self.made:
+            self.made[end] = _Score(self.choir, tuple(walk.to(end) for walk in self.walks), self.exact)
+        return self.made[end]
+
+
+class _Step(NamedTuple):
+    """A way on from a moment: its weight, the letter written (-1: all end here), and the moment after."""
+
+    weight: float
+    letter: int
+    after: Moment
+
+
+class _Score:
+    """Voices made ready. What follows a moment, and what leads nowhere, is kept from draw to draw."""
+
+    def __init__(self, choir: Choir, parts: tuple[_Part, ...], exact: dict[int, float]) -> None:
+        self.choir, self.parts, self.exact = choir, parts, exact
+        self.dead: set[Moment] = set()
+        self._steps: dict[tuple[tuple[int, ...], Moment], tuple[_Step, ...]] = {}
+        self._completes: dict[tuple[int, int], dict[Moment, bool]] = defaultdict(dict)
+        self._clashing: dict[tuple[int, int, int, int, int], bool] = {}
+
+    @cached_property
+    def all(self) -> tuple[int, ...]:
+        """The numbers of all voices."""
+        return tuple(range(len(self.parts)))
+
+    @cached_property
+    def _tied(self) -> tuple[tuple[int, ...], ...]:
+        """For each voice, those that it has to meet itself."""
+        groups = [part.voice.group for part in self.parts]
+        return tuple(
+            tuple(m for m, other in enumerate(groups) if m != n and self.choir.meet(group, other))
+            for n, group in enumerate(groups)
+        )
+
+    def steps(self, voices: tuple[int, ...], moment: Moment) -> tuple[_Step, ...]:
+        """Return the ways on from a moment of some voices; all pairs that meet have to be able to end."""
+        key = (voices, moment)
+        if key not in self._steps:
+            self._steps[key] = tuple(self._found(voices, moment))
+        return self._steps[key]
+
+    def _found(self, voices: tuple[int, ...], moment: Moment) -> Iterator[_Step]:
+        behind = min(range(len(voices)), key=lambda n: moment[n][1])
+        state, place, _ = moment[behind]
+        part = self.parts[voices[behind]]
+        level = max(own[1] for own in moment) - place <= _UNITS
+        if level and all(self._may_end(voice, own) for voice, own in zip(voices, moment, strict=True)):
+            yield _Step(1.0, -1, moment)
+        for letter, after in part.moves[state]:
+            new = round(self.exact[place] + part.steps[letter])
+            weight = part.mass.get((after, new), 0.0) * float(part.voice.weights[state, letter])
+            if weight <= 0 or self._clashes(voices, moment, behind, letter):
+                continue
+            following = (*moment[:behind], (after, new, letter), *moment[behind + 1 :])
+            if len(voices) == 2 or self._pairs_complete(voices, following, behind):
+                yield _Step(weight, letter, following)
+
+    def _may_end(self, voice: int, own: tuple[int, int, int]) -> bool:
+        part = self.parts[voice]
+        return bool(part.voice.machine.accepting[own[0]]) and own[:2] in part.mass
+
+    def _pairs_complete(self, voices: tuple[int, ...], moment: Moment, number: int) -> bool:
+        for other, voice in enumerate(voices):
+            if voice in self._tied[voices[number]]:
+                one, another = sorted((number, other))
+                if not self._completes_pair((voices[one], voices[another]), (moment[one], moment[another])):
+                    return False
+        return True
+
+    def _completes_pair(self, pair: tuple[int, int], moment: Moment) -> bool:
+        """Tell whether two voices can go on from a moment until both end."""
+        known = self._completes[pair]
+        if moment in known:
+            return known[moment]
+        stack = [(moment, iter(self.steps(pair, moment)))]
+        while stack:
+            own, following = stack[-1]
+            step = next(following, None)
+            if step is None:
+                known[own] = False
+                stack.pop()
+            elif step.letter < 0 or known.get(step.after, False):
+                for passed, _ in stack:
+                    known[passed] = True
+                return True
+            elif step.after not in known:
+                stack.append((step.after, iter(self.steps(pair, step.after))))
+        return False
+
+    def _clashes(self, voices: tuple[int, ...], moment: Moment, number: int, letter: int) -> bool:
+        """Tell whether a letter, written by the voice that is behind, misses a line of another's last."""
+        at = moment[number][1]
+        return any(
+            other != number
+            and last >= 0
+            and end > at + 1
+            and self._clash(voices[number], letter, at, voices[other], last, end)
+            for other, (_, end, last) in enumerate(moment)
+        )
+
+    def _clash(self, voice: int, letter: int, at: int, other: int, last: int, end: int) -> bool:
+        key = (voice, letter, other, last, end - at)
+        if key not in self._clashing:
+            one, another = self.parts[voice], self.parts[other]
+            start = self.exact[at]
+            behind = self.exact[end] - another.steps[last]
+            spelled = one.voice.machine.parts[letter], another.voice.machine.parts[last]
+            lines = self.choir.lines(one.voice, spelled[0][0], another.voice, spelled[1][0])
+            if one.voice.machine.spelled is not None:
+                far = self.choir.lines(one.voice, spelled[0][-1], another.voice, spelled[1][-1])
+                lines = (*lines, *(line.mirrored() for line in far))
+            self._clashing[key] = any(
+                line.clash(start, one.widths[letter], behind, another.widths[last]) for line in lines
+            )
+        return self._clashing[key]
+
+
+def _performed(score: _Score, salt: int) -> dict[WordGroup, Word] | None:
+    """Draw once: go depth first from moment to moment, until all voices end together."""
+    start: Moment = tuple((0, 0, -1) for _ in score.parts)
+    stack = [(start, _ordered(score, start, salt))]
+    seen = 0
+    while stack:
+        moment, steps = stack[-1]
+        step = next(steps, None)
+        if step is None:
+            score.dead.add(moment)
+            stack.pop()
+        elif step.letter < 0:
+            return _spelled(score, [m for m, _ in stack])
+        elif step.after not in score.dead:
+            seen += 1
+            if seen > _MOST_MOMENTS:
+                return None
+            stack.append((step.after, _ordered(score, step.after, salt)))
+    return None
+
+
+def _ordered(score: _Score, moment: Moment, salt: int) -> Iterator[_Step]:
+    """Return the ways on from a moment in an order that is drawn by their weights (Gumbel's trick).
+
+    The order hangs on the draw and the moment alone, not on what was looked at before: what an earlier draw
+    has found dead changes nothing.
+    """
+    steps = score.steps(score.all, moment)
+    if len(steps) < 2:
+        return iter(steps)
+    behind = min(range(len(moment)), key=lambda n: moment[n][1])
+    mark = salt ^ (behind * 0x9E3779B97F4A7C15) ^ (moment[behind][1] * 0xD1B54A32D192ED03)
+    return iter(sorted(steps, key=lambda step: _lot(mark + step.letter) - math.log(step.weight)))
+
+
+def _lot(mark: int) -> float:
+    """Return a number of the exponential distribution's logarithm, mixed from another (splitmix64)."""
+    mixed = mark & 0xFFFFFFFFFFFFFFFF
+    mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9 & 0xFFFFFFFFFFFFFFFF
+    mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB & 0xFFFFFFFFFFFFFFFF
+    return math.log(-math.log(((mixed ^ (mixed >> 31)) % 2**53 + 0.5) / 2**53))
+
+
+def _spelled(score: _Score, moments: Sequence[Moment]) -> dict[WordGroup, Word]:
+    words: defaultdict[int, list[int]] = defaultdict(list)
+    for before, after in pairwise(moments):
+        (voice,) = (n for n, (a, b) in enumerate(zip(before, after, strict=True)) if a != b)
+        words[voice].append(after[voice][2])
+    found = {}
+    for number, part in enumerate(score.parts):
+        machine = part.voice.machine
+        found[part.voice.group] = machine.spell([machine.letters[n] for n in words[number]])
+    return found
+
+
+def fixed(group: WordGroup, word: Word) -> Machine:
+    """Return the machine of a word that is chosen already."""
+    return chain(group.letters, word)

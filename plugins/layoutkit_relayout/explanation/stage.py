@@ -1,0 +1,82 @@
+"""The explain stage: a layout that shows that there is one, or why there is none."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, ClassVar
+
+from layoutkit.diagnostics import Diagnostic
+from layoutkit.hooks.specs import Outcome, Stage
+from layoutkit.model import Facade, Layout, Measure
+
+if TYPE_CHECKING:
+    from layoutkit_relayout.explanation.judge import Judge
+
+#: Words tried to tell whether there is a layout.
+NODE_LIMIT = 2000
+
+
+@dataclass(frozen=True)
+class ExplainOptions:
+    """Options of the explain stage.
+
+    Attributes
+    ----------
+    width, height
+        The size in question, absolute or a percentage of the input's.
+    seed
+        Start of the random choices in the layouts that are shown.
+    node_limit
+        Words tried to tell whether there is a layout; what comes after takes a like effort.
+    """
+
+    width: Measure = field(default=Measure(1.0, relative=True))
+    height: Measure = field(default=Measure(1.0, relative=True))
+    seed: int = 0
+    node_limit: int = NODE_LIMIT
+
+
+class Explain(Stage):
+    """Tells which constraints cannot hold together at a size, by how much they miss, and what would help."""
+
+    name: ClassVar[str] = "explain"
+    summary: ClassVar[str] = "Tells why a facade has no layout at a size, or shows one."
+    options: ClassVar[type] = ExplainOptions
+
+    def run(self, facade: Facade, options: ExplainOptions) -> Iterator[Outcome]:
+        """Yield one outcome: a layout that was found, or an explanation of why there is none."""
+        from layoutkit.sizing.threads import single_threaded
+        from layoutkit_relayout.explanation.judge import Judge
+
+        start = time.perf_counter()
+        size = (options.width.of(facade.root.width), options.height.of(facade.root.height))
+        with single_threaded():
+            yield _outcome(Judge(facade, size, options.seed), options.node_limit, start)
+
+
+def _outcome(judge: Judge, node_limit: int, start: float) -> Outcome:
+    from layoutkit_relayout.explanation.explaining import explained
+    from layoutkit_relayout.explanation.report import diagnostics
+
+    facade = judge.facade
+    verdict = judge.first(node_limit)
+    if verdict.root is not None:
+        layout = Layout(f"{facade.name}-witness", facade.units, verdict.root, facade, seed=judge.seed)
+        return Outcome("found", layout, (), time.perf_counter() - start)
+    explanation = explained(judge)
+    found = diagnostics(explanation, facade)
+    if verdict.status == "limit":
+        found = (_undecided(facade, judge.size, verdict.nodes), *found)
+    return Outcome(verdict.status, None, found, time.perf_counter() - start, explanation)
+
+
+def _undecided(facade: Facade, size: tuple[float, float], nodes: int) -> Diagnostic:
+    at = f"{size[0]:g} × {size[1]:g} {facade.units}"
+    return Diagnostic(
+        "LK601",
+        f"no layout was found at {at} within {nodes} words tried, and it is not proved that there is none",
+        hint="raise the node limit, or relax a constraint",
+        topic="search",
+    )

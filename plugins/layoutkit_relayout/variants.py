@@ -1,0 +1,242 @@
+"""Regions that may be laid out in several ways: each way becomes a symbol of its own (Bao et al. 2013, 5.1).
+
+A region M with up to three instances goes by M, M~2 and M~3 in the search: every constraint that names M
+speaks of all of them, and what is inside is there three times. Whatever the search finds is named M again.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
+
+from layoutkit.constraints import Constraint
+from layoutkit.constraints.renaming import Aliases, aliases_of, spread
+from layoutkit.constraints.view import alike
+from layoutkit.constraints.word_rules import (
+    Admits,
+    Agree,
+    Automaton,
+    Counts,
+    Mirrored,
+    State,
+    Variants,
+    WordRule,
+)
+from layoutkit.model import Facade, Region
+
+#: What stands between a symbol and the number of a further instance; no symbol of a document contains it.
+MARK = "~"
+
+
+@dataclass(frozen=True)
+class VariedFacade(Facade):
+    """A facade in which some regions go by several names; its tree and its places are the original's.
+
+    Attributes
+    ----------
+    aliases
+        The symbols of each region that may vary, by its path.
+    """
+
+    aliases: Aliases = field(kw_only=True)
+
+    @cached_property
+    def regions(self) -> Mapping[str, Region]:
+        """Every distinct region by its symbol path, further instances beside the first."""
+        found = {}
+        for path, places in self.places.items():
+            region = places[0].region
+            children = {child.symbol: child for child in region.children}
+            further = [
+                replace(child, symbol=name)
+                for symbol, child in children.items()
+                for name in self.aliases.get(f"{path}/{symbol}", (symbol,))[1:]
+            ]
+            own = replace(region, children=(*region.children, *further)) if further else region
+            for alias in aliases_of(path, self.aliases):
+                symbol = alias.rpartition("/")[2]
+                found[alias] = own if own.symbol == symbol else replace(own, symbol=symbol)
+        return found
+
+
+class Renamed:
+    """An automaton over the symbols of documents, for words in which instances have names of their own."""
+
+    def __init__(self, automaton: Automaton) -> None:
+        self.automaton = automaton
+
+    def start(self) -> State:
+        """Return the automaton's own."""
+        return self.automaton.start()
+
+    def step(self, state: State, symbol: str) -> State | None:
+        """Step by the symbol that documents know."""
+        return self.automaton.step(state, symbol.partition(MARK)[0])
+
+    def accepts(self, state: State) -> bool:
+        """Return what the automaton says."""
+        return self.automaton.accepts(state)
+
+
+class InOrder:
+    """Accepts words in which the instances of a symbol first occur in the order of their numbers.
+
+    Two words that differ in the instances' numbers alone mean the same: so only one of them is made.
+    """
+
+    def __init__(self, names: Sequence[str], least: int) -> None:
+        self.number = {name: number for number, name in enumerate(names, 1)}
+        self.least = least
+
+    def start(self) -> int:
+        """Return how many instances occurred: none."""
+        return 0
+
+    def step(self, state: int, symbol: str) -> int | None:
+        """Count an instance that is new, if it is the next one."""
+        number = self.number.get(symbol, 0)
+        return None if number > state + 1 else max(state, number)
+
+    def accepts(self, state: int) -> bool:
+        """Tell whether there are enough; where the symbol does not occur, none are asked for."""
+        return state == 0 or state >= self.least
+
+
+@dataclass(frozen=True, eq=False)
+class Varied:
+    """A facade whose instances have names, with its constraints and its rules on words.
+
+    Attributes
+    ----------
+    exact
+        Whether no layout is lost.
+    """
+
+    facade: Facade
+    constraints: tuple[Constraint, ...]
+    rules: tuple[WordRule, ...]
+    exact: bool
+
+
+def varied(
+    facade: Facade, constraints: Sequence[Constraint], rules: Sequence[WordRule], most: Mapping[str, int]
+) -> Varied:
+    """Give every instance a name.
+
+    Parameters
+    ----------
+    rules
+        What the constraints ask of the original's words.
+    most
+        How many instances each region that may vary can have.
+    """
+    aliases = {
+        path: (symbol := path.rpartition("/")[2], *(f"{symbol}{MARK}{n}" for n in range(2, count + 1)))
+        for path, count in most.items()
+        if count > 1
+    }
+    own_fields = {known.name: getattr(facade, known.name) for known in fields(facade)}
+    named = VariedFacade(**own_fields, aliases=aliases)
+    spoken = tuple(other for constraint in constraints for other in spread(constraint, aliases))
+    found = [other for rule in rules for other in _rewritten(rule, aliases)]
+    least: dict[str, float] = {}
+    for rule in rules:
+        if isinstance(rule, Variants):
+            own = 1.0 if rule.least.relative else rule.least.value
+            least[rule.path] = max(least.get(rule.path, 1.0), own)
+    for path, names in aliases.items():
+        parent = path.rpartition("/")[0]
+        for alias in aliases_of(parent, aliases):
+            found.append(Admits(alias, InOrder(names, math.ceil(least[path] - 1e-9)), ()))
+    exact = not any(isinstance(rule, Agree) and _uneven(rule, aliases) for rule in rules)
+    return Varied(replace(named, constraints=spoken), spoken, tuple(found), exact)
+
+
+def _rewritten(rule: WordRule, aliases: Aliases) -> Iterator[WordRule]:
+    """Yield what a rule means once instances have names."""
+    if isinstance(rule, Agree):
+        symbols = {
+            alias: {
+                f"{name}{number}": other
+                for name, symbol in own.items()
+                for number, other in enumerate(aliases.get(f"{path}/{symbol}", (symbol,)))
+            }
+            for path, own in rule.symbols.items()
+            for alias in aliases_of(path, aliases)
+        }
+        yield Agree(symbols, rule.origin)
+        return
+    names = _names_in(rule.path, aliases)
+    for path in aliases_of(rule.path, aliases):
+        if isinstance(rule, Admits):
+            yield Admits(path, Renamed(rule.automaton) if names else rule.automaton, rule.origin)
+        elif isinstance(rule, Counts):
+            counted = frozenset(alias for own in rule.counted for alias in aliases_of(own, aliases))
+            yield replace(rule, path=path, counted=counted)
+        elif isinstance(rule, Mirrored):
+            partners = {
+                one: other
+                for symbol, partner in rule.partners.items()
+                for one, other in zip(
+                    names.get(symbol, (symbol,)), names.get(partner, (partner,)), strict=False
+                )
+            }
+            yield Mirrored(path, partners, rule.origin)
+
+
+def _names_in(path: str, aliases: Aliases) -> dict[str, tuple[str, ...]]:
+    """Return the names of the children of a region that may vary."""
+    return {own.rpartition("/")[2]: names for own, names in aliases.items() if own.rpartition("/")[0] == path}
+
+
+def _uneven(rule: Agree, aliases: Aliases) -> bool:
+    """Tell whether a symbol may vary in one of the regions that agree more than in another."""
+    counts = {
+        frozenset((name, len(aliases.get(f"{path}/{symbol}", (symbol,)))) for name, symbol in own.items())
+        for path, own in rule.symbols.items()
+    }
+    return len(counts) > 1
+
+
+def unnamed(root: Region) -> Region:
+    """Return a layout's tree with all instances under their common names."""
+    made: dict[int, Region] = {}
+
+    def plain(region: Region) -> Region:
+        if id(region) not in made:
+            children = tuple(map(plain, region.children))
+            same = all(a is b for a, b in zip(children, region.children, strict=True))
+            symbol = region.symbol.partition(MARK)[0]
+            if not same or symbol != region.symbol:
+                made[id(region)] = replace(region, symbol=symbol, children=children)
+            else:
+                made[id(region)] = region
+        return made[id(region)]
+
+    return plain(root)
+
+
+def enough(root: Region, least: Mapping[str, float], tolerance: float) -> bool:
+    """Tell whether instances that are to differ do so, in every region that has some.
+
+    Parameters
+    ----------
+    root
+        The tree, instances under their common names.
+    least
+        How many different ones each region that may vary has to have, by its path.
+    """
+    pending = [(root.symbol, root)]
+    while pending:
+        path, region = pending.pop()
+        own: dict[str, list[Region]] = {}
+        for child in region.children:
+            known = own.setdefault(child.symbol, [])
+            if not any(alike(child, other, tolerance) for other in known):
+                known.append(child)
+                pending.append((f"{path}/{child.symbol}", child))
+        if any(len(found) < least.get(f"{path}/{symbol}", 1) - 1e-9 for symbol, found in own.items()):
+            return False
+    return True
