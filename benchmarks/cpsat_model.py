@@ -18,7 +18,7 @@ from typing import Any
 from ortools.sat.python import cp_model
 
 from benchmarks.contenders import Size
-from benchmarks.stated import Equal, Grammar, Interval, Run, Stated
+from benchmarks.stated import Equal, Grammar, Interval, Run, Stated, Unsupported
 from layoutkit.constraints.word_rules import Bound, Counts
 
 #: Metres of one unit.
@@ -84,6 +84,33 @@ class Slot:
     start: Linear
     least: int = 0
     most: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Element:
+    """One element of a word, in one place of its region.
+
+    Attributes
+    ----------
+    literals
+        They hold if the region has that place.
+    letters
+        The literal of each symbol that the element may be.
+    least, most
+        Where it can start, and end.
+    """
+
+    literals: tuple[Literal, ...]
+    letters: Mapping[str, Literal]
+    start: Linear
+    end: Linear
+    least: int
+    most: int
+
+    def line(self, share: float) -> Linear:
+        """Return twice the place of the line at a share (a half or a whole one) of the extent."""
+        halves = round(2 * share)
+        return (2 - halves) * self.start + halves * self.end
 
 
 class Program:
@@ -257,35 +284,54 @@ class Program:
         return here
 
     def _alignments(self) -> None:
-        shares: defaultdict[tuple[int, str, str], set[float]] = defaultdict(set)
+        """Let any two elements of two words that may have to align stand apart, or in line."""
+        pairs: defaultdict[tuple[int, str, str], dict[float, set[tuple[str, str]]]]
+        pairs = defaultdict(lambda: defaultdict(set))
         for line in self.stated.lines:
-            for one, other in product(line.first, line.second):
-                if one != other and one in self.used and other in self.used:
-                    shares[line.axis, *sorted((one, other))].add(line.share)
-        for (axis, one, other), own in shares.items():
+            for ends in product(line.first, line.second):
+                (one, a), (other, b) = sorted(path.rpartition("/")[::2] for path in ends)
+                if self.stated.axis[one] != line.axis or self.stated.axis[other] != line.axis:
+                    raise Unsupported(f"{ends} do not stand along the lines' axis")
+                if one != other and one in self.rows and other in self.rows:
+                    pairs[line.axis, one, other][line.share].add((a, b))
+        for (axis, one, other), shares in pairs.items():
             common = _common(one, other)
-            if self.stated.axis[common] == axis and common == _parent(one) == _parent(other):
-                continue  # neighbours never overlap
-            for first, second in product(self._slots(one, common, axis), self._slots(other, common, axis)):
-                self._aligned(axis, (one, first), (other, second), own)
+            first, second = (self._elements(path, common, axis) for path in (one, other))
+            for a, b in product(first, second):
+                self._aligned(a, b, shares)
 
-    def _aligned(
-        self, axis: int, first: tuple[str, Slot], second: tuple[str, Slot], shares: set[float]
-    ) -> None:
-        (one, a), (other, b) = first, second
-        if a.most + self.most[one, axis] <= b.least or b.most + self.most[other, axis] <= a.least:
+    def _aligned(self, a: Element, b: Element, shares: Mapping[float, set[tuple[str, str]]]) -> None:
+        asked = {
+            share: [(a.letters[x], b.letters[y]) for x, y in symbols if x in a.letters and y in b.letters]
+            for share, symbols in shares.items()
+        }
+        if a.most <= b.least or b.most <= a.least or not any(asked.values()):
             return
-        sizes = self.extents[one, axis], self.extents[other, axis]
-        before, after, inline = (self.model.new_bool_var("") for _ in range(3))
-        self.model.add(a.start + sizes[0] <= b.start).only_enforce_if(before)
-        self.model.add(b.start + sizes[1] <= a.start).only_enforce_if(after)
-        for share in shares:
-            halves = round(2 * share)
-            self.model.add(
-                2 * a.start + halves * sizes[0] == 2 * b.start + halves * sizes[1]
-            ).only_enforce_if(inline)
-        absent = [literal.Not() for literal in (*a.literals, *b.literals)]
-        self.model.add_bool_or([before, after, inline, *absent])
+        before, after = self.model.new_bool_var(""), self.model.new_bool_var("")
+        self.model.add(a.end <= b.start).only_enforce_if(before)
+        self.model.add(b.end <= a.start).only_enforce_if(after)
+        outside = [literal.Not() for literal in (*a.literals, *b.literals)]
+        for share, pairs in asked.items():
+            inline = self.model.new_bool_var("")
+            self.model.add(a.line(share) == b.line(share)).only_enforce_if(inline)
+            for one, other in pairs:
+                self.model.add_bool_or([before, after, inline, one.Not(), other.Not(), *outside])
+
+    def _elements(self, path: str, common: str, axis: int) -> list[Element]:
+        """Return the elements of a region's word in each of its places, from the start of an ancestor."""
+        row = self.rows[path]
+        return [
+            Element(
+                outer.literals,
+                letters,
+                outer.start + row.offsets[number],
+                outer.start + row.offsets[number + 1],
+                outer.least + row.ranges[number][0],
+                outer.most + row.ranges[number + 1][1],
+            )
+            for outer in self._slots(path, common, axis)
+            for number, letters in enumerate(row.letters)
+        ]
 
     def _slots(self, path: str, common: str, axis: int) -> list[Slot]:
         """Return the places that a region may have along an axis, from the start of an ancestor."""
@@ -454,10 +500,6 @@ def _kept(count: Linear, end: Bound, sign: int, size: int, extent: Linear) -> Li
         return sign * (count - whole) >= 0
     share = math.ceil(end.value * _PARTS) if sign > 0 else math.floor(end.value * _PARTS)
     return sign * (_PARTS * size * count - share * extent) >= 0
-
-
-def _parent(path: str) -> str:
-    return path.rpartition("/")[0]
 
 
 def _common(one: str, other: str) -> str:

@@ -21,6 +21,7 @@ def conflict_data(conflict: Conflict) -> dict[str, Any]:
         "short": [_amount(some) for some in conflict.short],
         "members": [_member(member) for member in conflict.members],
         "remedies": [_remedy(remedy) for remedy in conflict.remedies],
+        "spared": conflict.spared,
     }
 
 
@@ -57,16 +58,20 @@ def _remedy(remedy: Remedy) -> dict[str, Any]:
 
 
 def _constraint(constraint: Constraint) -> dict[str, Any]:
-    """Return a constraint by the text of its element, and where it stands."""
+    """Return a constraint by the text of its element, if it can be written as one, and where it stands."""
+    from layoutkit.constraints.defaults import InputWord
     from layoutkit.documents.writing import constraint_lines
 
-    *_, element = constraint_lines([constraint])
+    element = None
+    if not isinstance(constraint, InputWord):
+        *_, element = constraint_lines([constraint])
     where = None if constraint.place is None else asdict(constraint.place)
     return {"kind": constraint.kind, "element": element, "place": where}
 
 
 def _amount(some: Amount) -> dict[str, Any]:
-    return {"value": some.value, "units": some.units}
+    # What a subtraction leaves behind is no news to anyone.
+    return {"value": round(some.value, 9), "units": some.units}
 
 
 def marks_of(explanation: Explanation, layout: Layout) -> list[Mark]:

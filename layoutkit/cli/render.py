@@ -91,7 +91,7 @@ def _svg(model: Facade | Layout, folder: Path, scale: float) -> bytes:
 
 
 def _glb(model: Facade | Layout, folder: Path, scale: float) -> bytes:
-    from layoutkit.pictures.glb import render_glb
+    from layoutkit.pictures import render_glb
 
     return render_glb(model, photo_of(model, folder))
 

@@ -6,7 +6,7 @@ analogously to constraints between composite regions on the same facade" (Bao et
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from layoutkit.constraints.constraint import Constraint
@@ -49,12 +49,19 @@ def root_symbol(facade: Facade) -> str:
 
 
 def dressing_faults(facade: Facade, mass: Mass) -> Iterator[Diagnostic]:
-    """Yield why a mass cannot be dressed in a facade, and which constraints mean less there than they say."""
-    bare = dressed(replace(facade, constraints=()), mass)
-    for constraint in facade.constraints:
+    """Yield which constraints cannot be carried to the faces of a mass, or mean less there than they say."""
+    carried: dict[int, tuple[Constraint, ...]] = {}
+    for number, constraint in enumerate(facade.constraints):
         if constraint.scope == "building" and not joins(type(constraint)):
             yield _idle(constraint)
-        yield from _lost(constraint, facade, bare)
+        try:
+            carried[number] = tuple(_carried(constraint, facade, mass))
+        except Exception as error:  # whatever a plugin raises is laid at its door
+            yield _failed(constraint, error)
+    bare = dressed(replace(facade, constraints=()), mass)
+    whole = replace(bare, constraints=tuple(copy for copies in carried.values() for copy in copies))
+    for number, copies in carried.items():
+        yield from _lost(facade.constraints[number], copies, whole)
 
 
 def _carried(constraint: Constraint, facade: Facade, mass: Mass) -> Iterator[Constraint]:
@@ -80,19 +87,15 @@ def _idle(constraint: Constraint) -> Diagnostic:
     )
 
 
-def _lost(constraint: Constraint, facade: Facade, bare: Facade) -> Iterator[Diagnostic]:
+def _lost(constraint: Constraint, copies: Iterable[Constraint], whole: Facade) -> Iterator[Diagnostic]:
     """Yield what a kind finds wrong with its constraint once that is carried over: of built-in kinds, none.
 
     Attributes of a plugin's own types may name regions as well, and nothing here knows how to rename those.
     """
-    assert bare.building is not None
     try:
-        carried = tuple(_carried(constraint, facade, bare.building.mass))
-        found = [fault for copy in carried for fault in copy.faults(bare)]
+        found = [fault for copy in copies for fault in copy.faults(whole)]
     except Exception as error:  # whatever a plugin raises is laid at its door
-        message = f"the constraint kind {constraint.kind!r} failed: {type(error).__name__}: {error}"
-        hint = "report it to the plugin's author"
-        yield Diagnostic("LK407", message, constraint.place, hint, topic="plugin")
+        yield _failed(constraint, error)
         return
     if faults := [fault.message for fault in found if fault.severity is Severity.ERROR]:
         yield Diagnostic(
@@ -102,3 +105,9 @@ def _lost(constraint: Constraint, facade: Facade, bare: Facade) -> Iterator[Diag
             "regions are renamed in attributes of the types that layoutkit declares, in those of no others",
             topic="mass",
         )
+
+
+def _failed(constraint: Constraint, error: Exception) -> Diagnostic:
+    message = f"the constraint kind {constraint.kind!r} failed: {type(error).__name__}: {error}"
+    hint = "report it to the plugin's author"
+    return Diagnostic("LK407", message, constraint.place, hint, topic="plugin")

@@ -91,13 +91,16 @@ class Conflict:
     short
         By how much they miss, in sizes and in counts; empty where it is no question of degree.
     remedies
-        The mildest first. Each settles this conflict by itself; where there are several conflicts, the others
-        have to be settled as well.
+        The mildest first. Each settles this conflict; where there are several, it was tried with those members
+        left out that the others can best do without.
+    spared
+        Number of the member that this conflict can best do without: what the best effort is made without.
     """
 
     members: tuple[Member, ...]
     short: tuple[Amount, ...] = ()
     remedies: tuple[Remedy, ...] = ()
+    spared: int = 0
 
     @property
     def minimal(self) -> bool:

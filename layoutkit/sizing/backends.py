@@ -43,24 +43,43 @@ class Daqp(Backend):
         )
         if flag == 1:
             return Solution("solved", np.asarray(x, dtype=float))
-        # Its word that there is none is no proof. The least squares by which rows must be missed are one:
-        # their gradient vanishes, so that the misses themselves are Farkas multipliers (of rows of length 1,
-        # as daqp measures them).
-        count = rows.shape[1]
-        norms = np.maximum(np.linalg.norm(rows, axis=1), 1e-12)
-        x, _, _, _ = daqp.solve(
-            np.eye(count) * 1e-6,
-            np.full(count, -0.5e-6),
-            rows,
-            most,
-            least,
-            np.full(len(rows), _SOFT, dtype=np.int32),
-            rho_soft=_PRICE,
-        )
-        values = rows @ np.asarray(x, dtype=float)
-        missed = np.maximum(values - most, 0.0) - np.maximum(least - values, 0.0)
-        proof = problem.refuted(missed / norms**2)
+        # Its word that there is none is no proof.
+        proof = refutation(problem)
         return Solution("unknown") if proof is None else Solution("infeasible", multipliers=proof)
+
+
+def refutation(problem: QP) -> Floats | None:
+    """Look for a proof that no point keeps all rows of a small problem; None where none is found.
+
+    The least squares by which rows have to be missed are one: their gradient vanishes, so that the misses
+    themselves are Farkas multipliers (of rows of length 1, as daqp measures them).
+    """
+    import daqp
+
+    rows = np.ascontiguousarray(dense(problem.rows))
+    count = rows.shape[1]
+    norms = np.linalg.norm(rows, axis=1)
+    flat = norms < 1e-12
+    if np.any(flat & ((problem.least > 0) | (problem.most < 0))):
+        return problem.refuted(flat * ((problem.most < 0).astype(float) - (problem.least > 0)))
+    kept = np.flatnonzero(~flat)
+    most, least = np.minimum(problem.most[kept], _FAR), np.maximum(problem.least[kept], -_FAR)
+    x, _, _, _ = daqp.solve(
+        np.eye(count) * 1e-6,
+        np.full(count, -0.5e-6),
+        np.ascontiguousarray(rows[kept]),
+        most,
+        least,
+        np.full(len(kept), _SOFT, dtype=np.int32),
+        rho_soft=_PRICE,
+    )
+    x = np.asarray(x, dtype=float)
+    if not np.all(np.isfinite(x)):
+        return None
+    values = rows[kept] @ x
+    missed = np.zeros(len(rows))
+    missed[kept] = (np.maximum(values - most, 0.0) - np.maximum(least - values, 0.0)) / norms[kept] ** 2
+    return problem.refuted(missed)
 
 
 class Clarabel(Backend):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layoutkit.sizing.arrangement import Slot, add
+from layoutkit.sizing.conflicts import Contradiction
 from layoutkit.sizing.qp import QP, Floats
 from layoutkit.sizing.rules import SIZE, UNIT, Form, Range, Target
 from layoutkit.sizing.substitution import Substitution
@@ -23,22 +24,6 @@ Ints = NDArray[np.int64]
 
 #: Stands for a row of constants that would have to be 0.
 _NEVER = Range(0, {}, 0.0, 0.0, None, ())
-
-
-@dataclass(frozen=True, eq=False)
-class Contradiction:
-    """Rules that cannot hold together.
-
-    Attributes
-    ----------
-    origins
-        The constraints that asked for them.
-    words
-        Paths of the composite regions on whose words that hangs; None: of all.
-    """
-
-    origins: tuple[Any, ...]
-    words: frozenset[str] | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +87,7 @@ class Plan:
             if empty.any():
                 wrong = np.flatnonzero(empty & ((least > 1e-9) | (most < -1e-9)))
                 if len(wrong):
-                    return self.contradiction([(int(wrong[0]), 1.0 if most[wrong[0]] < 0 else -1.0)])
+                    return self.contradiction([(int(wrong[0]), 1.0 if most[wrong[0]] < 0 else -1.0)], size)
                 rows, least, most = rows[~empty], least[~empty], most[~empty]
         return QP(
             self.pulls[:, : self.free],
@@ -137,15 +122,13 @@ class Plan:
             kept = np.flatnonzero(np.any(np.abs(rows) > 1e-9, axis=1))
         return [(int(kept[i]), float(multipliers[i])) for i in np.flatnonzero(multipliers)]
 
-    def contradiction(self, rows: Iterable[tuple[int, float]]) -> Contradiction:
-        """Return who is behind some rows; a positive sign stands for a row's greatest value."""
+    def contradiction(self, rows: Iterable[tuple[int, float]], size: float) -> Contradiction:
+        """Return the rules behind some rows; a positive sign stands for a row's greatest value."""
         bits = 0
         for row, sign in rows:
             bits |= self.why[row][1 if sign > 0 else 0]
-        own = [rule for number, rule in enumerate(self.rules) if bits >> number & 1] + list(self.added)
-        known = [rule.words for rule in own if rule.words is not None]
-        words = frozenset(path for paths in known for path in paths) if len(known) == len(own) else None
-        return Contradiction(tuple(dict.fromkeys(r.origin for r in own if r.origin is not None)), words)
+        own = [rule for number, rule in enumerate(self.rules) if bits >> number & 1]
+        return Contradiction((*own, *self.added), size)
 
     def with_rows(self, extra: Sequence[Range]) -> Plan:
         """Return the plan with further rules."""

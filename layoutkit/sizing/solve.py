@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from layoutkit.sizing.arrangement import Slot, add, value
 from layoutkit.sizing.backends import polish
+from layoutkit.sizing.conflicts import Contradiction
 from layoutkit.sizing.overlaps import Meetings, Pair
-from layoutkit.sizing.plan import Contradiction, Plan, make_plan
+from layoutkit.sizing.plan import Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Floats, Solution
 from layoutkit.sizing.rules import Aligned, Range, SizeRule, Target
 
@@ -86,18 +88,49 @@ class Drawn:
 
 
 @dataclass(frozen=True, eq=False)
-class Sized:
-    """Values of all variables, and 1 behind them; or None, with the rules at fault where they are known.
+class Conflict:
+    """Why an axis cannot be sized: every way of bringing pairs in line ends in a contradiction.
 
     Attributes
     ----------
-    exhausted
-        Whether the budget ended the attempt, so that nothing is proved.
+    contradictions
+        Those at the ends of all ways.
+    pairs
+        The pairs for which there were several ways.
+    """
+
+    contradictions: tuple[Contradiction, ...]
+    pairs: tuple[Pair, ...]
+
+    @cached_property
+    def origins(self) -> tuple[Any, ...]:
+        """The constraints that have to do with it, each once."""
+        found = [origin for contradiction in self.contradictions for origin in contradiction.origins]
+        return tuple(dict.fromkeys([*found, *(pair.rule.origin for pair in self.pairs)]))
+
+    @cached_property
+    def words(self) -> frozenset[str] | None:
+        """Paths of the composite regions on whose words it hangs; None: of all."""
+        words = {path for pair in self.pairs for path in _words_of(pair.first, pair.second)}
+        for contradiction in self.contradictions:
+            if contradiction.words is None:
+                return None
+            words |= contradiction.words
+        return frozenset(words)
+
+
+@dataclass(frozen=True, eq=False)
+class Sized:
+    """Values of all variables, and 1 behind them; or None, and why.
+
+    Attributes
+    ----------
+    conflict
+        What is at fault; None where nobody knows: the budget or the solvers ended the attempt.
     """
 
     values: Floats | None
-    conflict: Contradiction | None = None
-    exhausted: bool = False
+    conflict: Conflict | None = None
 
 
 def size_axis(axis: Axis, size: float, drawn: Drawn, backends: Sequence[Backend], budget: Budget) -> Sized:
@@ -119,26 +152,6 @@ def size_axis(axis: Axis, size: float, drawn: Drawn, backends: Sequence[Backend]
     return task.search(axis.plan)
 
 
-@dataclass
-class _Branching:
-    """A choice of ways to bring a pair in line, and what is known of those that failed."""
-
-    ways: Iterator[Plan]
-    pair: Pair | None = None
-    failed: list[Contradiction] = field(default_factory=list)
-
-    def conflict(self) -> Contradiction:
-        """Return what all failed ways have to do with."""
-        origins = [origin for found in self.failed for origin in found.origins]
-        words: set[str] | None = set()
-        for found in self.failed:
-            words = None if words is None or found.words is None else words | found.words
-        if self.pair is not None:
-            origins.append(self.pair.rule.origin)
-            words = None if words is None else words | {*_words_of(self.pair.first, self.pair.second)}
-        return Contradiction(tuple(dict.fromkeys(origins)), None if words is None else frozenset(words))
-
-
 @dataclass(frozen=True)
 class _Task:
     """What may have to align, a size, a draw, and what may be spent."""
@@ -151,28 +164,29 @@ class _Task:
 
     def search(self, plan: Plan) -> Sized:
         """Go depth first through the ways to bring pairs in line."""
-        stack = [_Branching(iter((plan,)))]
+        stack = [iter((plan,))]
+        pairs: list[Pair] = []
+        failed: list[Contradiction] = []
         undecided = False
-        while True:
-            way = next(stack[-1].ways, None)
+        while stack:
+            way = next(stack[-1], None)
             if way is None:
-                conflict = stack.pop().conflict()
-                if not stack:
-                    return Sized(None, conflict, exhausted=undecided)
-                stack[-1].failed.append(conflict)
+                stack.pop()
                 continue
             if self.budget.left <= 0:
-                return Sized(None, exhausted=True)
+                return Sized(None)
             self.budget.left -= 1
             found = self._solved(way)
             if isinstance(found, Contradiction):
-                stack[-1].failed.append(found)
+                failed.append(found)
             elif found is None:
                 undecided = True
-            elif pairs := self._out_of_line(way, found):
-                stack.append(_Branching(_ways(way, pairs), pairs[0]))
+            elif missed := self._out_of_line(way, found):
+                pairs.append(missed[0])
+                stack.append(_ways(way, missed))
             else:
                 return Sized(way.values(found, self.size))
+        return Sized(None, None if undecided else Conflict(tuple(failed), tuple(pairs)))
 
     def _out_of_line(self, plan: Plan, point: Floats) -> list[Pair]:
         return sorted(self.meetings.out_of_line(np.asarray(plan.slots @ point)), reverse=True)
@@ -186,7 +200,7 @@ class _Task:
         if solution.x is not None:
             return plan.point(solution.x, self.size)
         if solution.multipliers is not None:
-            return plan.contradiction(plan.row_of(solution.multipliers))
+            return plan.contradiction(plan.row_of(solution.multipliers), self.size)
         return None
 
 

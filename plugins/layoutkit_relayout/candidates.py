@@ -69,7 +69,7 @@ class Candidates:
 
     def __init__(self, model: Model, size: tuple[float, float]) -> None:
         self.model, self.size, self.exact = model, size, True
-        self.choir = Choir(model, size)
+        self.choir = Choir(model)
         self._tables: dict[object, CompletionTable] = {}
         self._machines: dict[object, Machine] = {}
 
@@ -79,10 +79,16 @@ class Candidates:
         question: Question,
         share: float,
         generator: np.random.Generator,
+        lengths: Mapping[str, float],
     ) -> Iterator[Word]:
         """Yield words, each once: first the one at `share`, then random ones, at last all that are left.
 
         When the iterator ends, every word that could fit was yielded.
+
+        Parameters
+        ----------
+        lengths
+            The likely length of each member, where it is known: words that suit it come first.
         """
         if (given := question.given) is not None:
             open_ = not question.excluded.intersection(given) and self._fits(group, question, given)
@@ -90,7 +96,7 @@ class Candidates:
                 yield given
             return
         seen: set[Word] = set()
-        for fitting in self._levels(group, question):
+        for fitting in (*self._likely(group, question, lengths), *self._levels(group, question)):
             if fitting.total <= 0:
                 continue
             for attempt in range(DRAWS):
@@ -105,23 +111,25 @@ class Candidates:
                 yield word
 
     def together(
-        self, open_: Mapping[WordGroup, Question], generator: np.random.Generator
+        self, open_: Mapping[WordGroup, Question], length: float, generator: np.random.Generator
     ) -> Iterator[Mapping[WordGroup, Word]]:
-        """Yield words for several groups whose lines have to meet; none where they run along a part only.
+        """Yield words for several groups whose lines have to meet.
 
         Parameters
         ----------
         open_
             The groups with what is left open for them; some may have their word already.
+        length
+            What the words have to fill.
         """
         voices = []
         for group, question in open_.items():
             machine = self._machine(group, question)
             if question.given is not None:
-                machine = fixed(group, question.given)
+                machine = fixed(machine, question.given)
             voices.append(Voice(group, machine, self.model.weights(group, machine)))
         for _ in range(PROPOSALS):
-            words = self.choir.propose(voices, generator)
+            words = self.choir.propose(voices, length, generator)
             if words is not None and all(self._suits(g, question, words[g]) for g, question in open_.items()):
                 yield words
 
@@ -132,6 +140,17 @@ class Candidates:
         """Tell whether the tables know a word that fits; if not, there is none."""
         likely = any(fitting.total > 0 for fitting in self._levels(group, question))
         return likely or not self.fitting(group, question, question.members[:1], np.inf).empty
+
+    def _likely(
+        self, group: WordGroup, question: Question, lengths: Mapping[str, float]
+    ) -> Iterator[Completions]:
+        """Yield choices of words for the likely length of the first member that has one."""
+        for member, (shortest, longest) in question.members:
+            if member in lengths:
+                length = min(max(lengths[member], shortest), longest)
+                for comfort in COMFORT[:2]:
+                    yield self.fitting(group, question, ((member, (length, length)),), comfort)
+                return
 
     def _levels(self, group: WordGroup, question: Question) -> Iterator[Completions]:
         """Yield choices of words, the most comfortable first; the last one leaves none out."""

@@ -12,9 +12,9 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import pairwise
+from itertools import pairwise, takewhile
 from typing import NamedTuple
 
 import numpy as np
@@ -35,6 +35,8 @@ _NEAR = 2e-3
 _UNITS = 4
 #: How far the length at the input's sizes may be from the one asked for, and how far it typically is.
 _REACH, _TYPICAL = 0.35, 0.05
+#: Lengths are told apart by steps of this share.
+_STEP = 0.02
 #: Moments that one draw looks at before it gives up.
 _MOST_MOMENTS = 1500
 #: Places that one voice may have.
@@ -80,30 +82,26 @@ class _Part:
 
 
 class Choir:
-    """Proposes words of one facade at one size.
+    """Proposes words of one facade."""
 
-    Parameters
-    ----------
-    size
-        Width and height, in document units.
-    """
-
-    def __init__(self, model: Model, size: tuple[float, float]) -> None:
-        self.model, self.size = model, size
+    def __init__(self, model: Model) -> None:
+        self.model = model
         self._scores: dict[object, _Scores | None] = {}
         self._insides: dict[tuple[str, int], tuple[tuple[str, float, float], ...]] = {}
         self._lines: dict[tuple[WordGroup, str, WordGroup, str], tuple[_Line, ...]] = {}
 
-    def spans(self, group: WordGroup) -> bool:
-        """Tell whether a group's words run along the whole facade."""
+    def stage(self, group: WordGroup) -> str | None:
+        """Return the region whose whole extent a group's words run along; None if its members differ."""
         axis = self.model.axis(group.members[0])
-        for member in group.members:
-            above = member.rpartition("/")[0]
-            while above:
-                if self.model.axis(above) == axis:
-                    return False
-                above = above.rpartition("/")[0]
-        return True
+        found = {self._base(member, axis) for member in group.members}
+        return found.pop() if len(found) == 1 else None
+
+    def _base(self, path: str, axis: int) -> str:
+        """Return the outermost region that has the same place along an axis as a composite region."""
+        above = path.rpartition("/")[0]
+        while above and self.model.axis(above) != axis:
+            path, above = above, above.rpartition("/")[0]
+        return path
 
     def partners(self, group: WordGroup) -> frozenset[WordGroup]:
         """Return the groups, itself among them, whose words have to meet the group's, directly or not."""
@@ -128,20 +126,26 @@ class Choir:
         found: defaultdict[WordGroup, set[WordGroup]] = defaultdict(set)
         for axis in (0, 1):
             for path, partners in self._partners[axis].items():
-                one = self._governing(path, axis)
-                for other in (self._governing(partner, axis) for partner in partners):
-                    if one is not None and other is not None and one is not other:
-                        found[one].add(other)
+                for partner in partners:
+                    one, other = self._apart(path, partner, axis)
+                    if one and other and self._base(one, axis) == self._base(other, axis):
+                        groups = self.model.group_of[one], self.model.group_of[other]
+                        if groups[0] is not groups[1]:
+                            found[groups[0]].add(groups[1])
         return dict(found)
 
-    def _governing(self, path: str, axis: int) -> WordGroup | None:
-        """Return the group that runs along the whole facade in which a region stands."""
+    def _apart(self, path: str, partner: str, axis: int) -> tuple[str, str]:
+        """Return the first regions, from the top down, that divide the axis for one and not the other."""
+        chains = [self._dividing(own, axis) for own in (path, partner)]
+        common = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(*chains, strict=False)))
+        one, other = ([*chain_, ""][common] for chain_ in chains)
+        return one, other
+
+    def _dividing(self, path: str, axis: int) -> list[str]:
+        """Return the regions around a path that divide an axis, from the top down."""
         steps = path.split("/")
-        for number in range(1, len(steps)):
-            above = "/".join(steps[:number])
-            if self.model.axis(above) == axis:
-                return self.model.group_of[above]
-        return None
+        above = ("/".join(steps[:number]) for number in range(1, len(steps)))
+        return [own for own in above if self.model.axis(own) == axis]
 
     @cached_property
     def _partners(self) -> tuple[dict[str, dict[str, list[tuple[float, ...]]]], ...]:
@@ -159,26 +163,31 @@ class Choir:
         return found
 
     def propose(
-        self, voices: Sequence[Voice], generator: np.random.Generator
+        self, voices: Sequence[Voice], length: float, generator: np.random.Generator
     ) -> dict[WordGroup, Word] | None:
-        """Draw words for all voices at once; None where none are found this time."""
-        key = tuple((voice.group, voice.machine) for voice in voices)
+        """Draw words for all voices at once; None where none are found this time.
+
+        Parameters
+        ----------
+        length
+            What the words have to fill, more or less.
+        """
+        near = round(math.log(length) / _STEP)
+        key = (near, tuple((voice.group, voice.machine) for voice in voices))
         if key not in self._scores:
-            self._scores[key] = self._prepared(voices)
+            self._scores[key] = self._prepared(voices, math.exp(near * _STEP))
         prepared = self._scores[key]
         share, salt = generator.random(), int(generator.integers(2**62))
         if prepared is None:
             return None
         return _performed(prepared.at(share), salt)
 
-    def _prepared(self, voices: Sequence[Voice]) -> _Scores | None:
+    def _prepared(self, voices: Sequence[Voice], length: float) -> _Scores | None:
         """Walk through the places of all voices; None where they have no length in common."""
         if len({voice.machine.spelled is None for voice in voices}) > 1:
             return None  # halves and whole words do not run side by side
-        axis = self.model.axis(voices[0].group.members[0])
-        unit = _NEAR * self.size[axis] / _UNITS
-        half = voices[0].machine.spelled is not None
-        length = self.size[axis] / unit / (2 if half else 1)
+        unit = _NEAR * length / _UNITS
+        length /= unit * (1 if voices[0].machine.spelled is None else 2)
         exact: dict[int, float] = {0: 0.0}
         walks = [_walk(voice, self._widths(voice, unit), (1 + _REACH) * length, exact) for voice in voices]
         common: list[int] | None = None
@@ -523,6 +532,7 @@ def _spelled(score: _Score, moments: Sequence[Moment]) -> dict[WordGroup, Word]:
     return found
 
 
-def fixed(group: WordGroup, word: Word) -> Machine:
-    """Return the machine of a word that is chosen already."""
-    return chain(group.letters, word)
+def fixed(machine: Machine, word: Word) -> Machine:
+    """Return the machine of one of a machine's words, which is chosen already."""
+    own = machine.own_letters(word) or []
+    return replace(chain(machine.letters, [machine.letters[n] for n in own]), spelled=machine.spelled)

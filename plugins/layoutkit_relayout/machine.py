@@ -93,18 +93,21 @@ class Machine:
 
     def accepts(self, word: Sequence[str]) -> bool:
         """Tell whether the word, as it reads from end to end, is one of its own."""
+        own = self.own_letters(word)
+        state = -1 if self.empty or own is None else 0
+        for letter in own or ():
+            state = -1 if state < 0 else int(self.next[state, letter])
+        return state >= 0 and bool(self.accepting[state])
+
+    def own_letters(self, word: Sequence[str]) -> list[int] | None:
+        """Return the numbers of the machine's letters that spell a word; None if none do."""
         letters = {part: letter for letter, part in enumerate(self.parts)}
         parts: list[tuple[str, ...]] = [(letter,) for letter in word]
         if self.spelled is not None:
             half = len(word) // 2
             parts = [(near, far) for near, far in zip(word[:half], reversed(word), strict=False)]
             parts += [(letter,) for letter in word[half : len(word) - half]]
-        state = -1 if self.empty else 0
-        for part in parts:
-            if state < 0 or part not in letters:
-                return False
-            state = int(self.next[state, letters[part]])
-        return state >= 0 and bool(self.accepting[state])
+        return [letters[part] for part in parts] if all(part in letters for part in parts) else None
 
     def needs(self, letter: str) -> bool:
         """Tell whether every word has the letter."""

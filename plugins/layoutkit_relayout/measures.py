@@ -10,12 +10,11 @@ import numpy as np
 
 from layoutkit.constraints.view import CONSTRAINT_TOLERANCE
 from layoutkit.model import Region
-from layoutkit.sizing.arrangement import Arrangement
+from layoutkit.sizing.arrangement import Arrangement, value
 from layoutkit.sizing.layouts import region_tree
-from layoutkit.sizing.plan import Contradiction
 from layoutkit.sizing.qp import Backend
 from layoutkit.sizing.rules import Range, SizeRule
-from layoutkit.sizing.solve import Axis, Budget, size_axis
+from layoutkit.sizing.solve import Axis, Budget, Conflict, size_axis
 from layoutkit_relayout.draws import Distributions
 from layoutkit_relayout.model import Model
 from layoutkit_relayout.variants import enough, unnamed
@@ -31,7 +30,7 @@ class Measured:
     """The regions of a sized layout; or None, and why, where that is known."""
 
     root: Region | None
-    conflict: Contradiction | None = None
+    conflict: Conflict | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,20 +69,40 @@ class Measures:
             drawn = distributions.draw(generator)
             sized = size_axis(axis, self.size[axis.number], drawn, self.backends, Budget(problems))
             if sized.values is None:
-                return Measured(None, None if sized.exhausted else sized.conflict)
+                return Measured(None, sized.conflict)
             values.append(sized.values)
         root = unnamed(region_tree(prepared.arrangement, values))
         if not enough(root, self.model.least_instances, CONSTRAINT_TOLERANCE * max(self.size)):
             return Measured(None)  # they came out alike: another draw might not
         return Measured(root)
 
-    def ahead(self, words: Words, axis: int, problems: int) -> Contradiction | None:
+    def preview(self, words: Words, problems: int) -> Mapping[str, tuple[float, float]] | Conflict | None:
+        """Size a partial choice of words: return the likely width and height of what has no word yet.
+
+        Returns a contradiction where the words cannot be sized, and None where that is not known.
+        """
+        prepared = self._prepare(self.model.completed(self.model.with_forced(words)))
+        values = []
+        for axis, distributions in zip(prepared.axes, prepared.distributions, strict=True):
+            drawn = distributions.likeliest()
+            sized = size_axis(axis, self.size[axis.number], drawn, self.backends, Budget(problems))
+            if sized.values is None:
+                return sized.conflict
+            values.append(sized.values)
+        arrangement = prepared.arrangement
+        return {
+            path: (value(frame.extent[0], values[0]), value(frame.extent[1], values[1]))
+            for path, frame in arrangement.frames.items()
+            if path in self.model.group_of and path not in arrangement.words
+        }
+
+    def ahead(self, words: Words, axis: int, problems: int) -> Conflict | None:
         """Return why an axis of a partial choice of words cannot be sized; None if it can, or perhaps can."""
         prepared = self._prepare(self.model.completed(self.model.with_forced(words)))
         drawn = prepared.distributions[axis].likeliest()
         sized = size_axis(prepared.axes[axis], self.size[axis], drawn, self.backends, Budget(problems))
         # What the budget left open is decided when all words are there.
-        return None if sized.values is not None or sized.exhausted else sized.conflict
+        return sized.conflict
 
     def _prepare(self, words: Words) -> _Prepared:
         key = frozenset(words.items())

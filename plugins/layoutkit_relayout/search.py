@@ -16,8 +16,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from layoutkit.model import Region
-from layoutkit.sizing.plan import Contradiction
 from layoutkit.sizing.qp import Backend
+from layoutkit.sizing.solve import Conflict
 from layoutkit_relayout.candidates import Candidates, Question, Word
 from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.measures import Measures
@@ -28,6 +28,8 @@ from layoutkit_relayout.outlook import Outlook
 _GOLDEN = 0.6180339887498949
 
 Words = Mapping[str, Word]
+#: Likely width and height of regions that have no word yet, by path.
+Preview = Mapping[str, tuple[float, float]]
 #: Numbers of the choices that a failure has to do with.
 Blame = frozenset[int]
 
@@ -86,6 +88,7 @@ class _Level:
     question: Question
     before: Words
     candidates: Iterator[Candidate]
+    preview: Preview
     blame: set[int] = field(default_factory=set)
     tried: int = 0
     word: Word = ()
@@ -194,7 +197,7 @@ class _Descent:
                 blame = frozenset(range(len(self.levels))) if self._failure is None else self._failure
             words = self._next(blame)
 
-    def fail(self, conflict: Contradiction | None) -> None:
+    def fail(self, conflict: Conflict | None) -> None:
         """Say that the words just yielded cannot be sized; None: nobody knows why, or whether."""
         if conflict is not None:
             self._failure = self._blame(conflict)
@@ -219,33 +222,56 @@ class _Descent:
             question = self._outlook.question(group)
             if question is None or not self.search.candidates.any(group, question):
                 return frozenset(range(self._dead_since(group)))
-            candidates = self._candidates(group, question)
-            self.levels.append(_Level(group, question, self._outlook.words, candidates))
+            preview = self._preview(group, question)
+            if isinstance(preview, Conflict):
+                return self._blame(preview)
+            candidates = self._candidates(group, question, preview)
+            self.levels.append(_Level(group, question, self._outlook.words, candidates, preview))
             following = self._advance()
             if following is None:
                 return self._exhausted()
             words = following
             everyone = frozenset(range(len(self.levels)))
 
-    def _candidates(self, group: WordGroup, question: Question) -> Iterator[Candidate]:
+    def _preview(self, group: WordGroup, question: Question) -> Preview | Conflict:
+        """Return the likely sizes of what has no word yet, for groups whose length is not given."""
+        known = next((level.preview for level in reversed(self.levels) if level.preview), None)
+        planned = any(group in level.plan for level in self.levels)
+        if known is not None and (planned or len(self.search.candidates.choir.partners(group)) == 1):
+            return known  # not quite what it would be now, but near enough
+        if all(longest - shortest <= 1e-9 * longest for _, (shortest, longest) in question.members):
+            return {}
+        found = self.search.measures.preview(self._outlook.words, _AHEAD)
+        return {} if found is None else found
+
+    def _candidates(self, group: WordGroup, question: Question, preview: Preview) -> Iterator[Candidate]:
         """Yield words for a group: as planned, then together with groups that it has to meet, then any."""
         seen = set()
         plan = next((level.plan for level in reversed(self.levels) if group in level.plan), {})
         if plan:
             seen.add(plan[group])
             yield Candidate(plan[group], plan)
-        for words in self._together(group, question):
+        for words in self._together(group, question, preview):
             if words[group] not in seen:
                 seen.add(words[group])
                 yield Candidate(words[group], words)
         share = self.shares.get(group, 0.5)
-        for word in self.search.candidates.words(group, question, share, self.generator):
+        axis = self.model.axis(group.members[0])
+        lengths = {member: preview[member][axis] for member in group.members if member in preview}
+        for word in self.search.candidates.words(group, question, share, self.generator, lengths):
             if word not in seen:
                 yield Candidate(word, {})
 
-    def _together(self, group: WordGroup, question: Question) -> Iterator[Mapping[WordGroup, Word]]:
+    def _together(
+        self, group: WordGroup, question: Question, preview: Preview
+    ) -> Iterator[Mapping[WordGroup, Word]]:
+        """Yield words for a group and all that it has to meet along the region in which they stand."""
         choir = self.search.candidates.choir
-        if question.given is not None or not choir.spans(group):
+        stage, axis = choir.stage(group), self.model.axis(group.members[0])
+        length = preview[group.members[0]][axis] if group.members[0] in preview else 0.0
+        if stage == self.model.facade.root.symbol:
+            length = self.search.size[axis]
+        if question.given is not None or stage is None or not length:
             return
         open_ = {group: question}
         for other in sorted(choir.partners(group) - {group}, key=self.model.groups.index):
@@ -255,7 +281,7 @@ class _Descent:
                     return
                 open_[other] = own
         if len(open_) > 1:
-            yield from self.search.candidates.together(open_, self.generator)
+            yield from self.search.candidates.together(open_, length, self.generator)
 
     def _next(self, blame: Blame) -> Words | None:
         """Go back to the last choice at fault, and on with its next word; None where none is left."""
@@ -308,7 +334,7 @@ class _Descent:
                 return frozenset(chosen[group][0] for group, _ in refuted)
         return None
 
-    def _blame(self, conflict: Contradiction) -> Blame:
+    def _blame(self, conflict: Conflict) -> Blame:
         """Return the choices that a refuted sizing hangs on, and remember them."""
         numbers = range(len(self.levels))
         if conflict.words is not None:

@@ -58,7 +58,7 @@ USAGE = {
         "as '.gif'",
         "end the file's name in .png, .svg or .glb",
     ),
-    "no kind of picture": (["render", "x.xml", "-o", "x"], "without a suffix", ".png or .svg"),
+    "no kind of picture": (["render", "x.xml", "-o", "x"], "without a suffix", ".png, .svg or .glb"),
 }
 
 

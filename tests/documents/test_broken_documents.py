@@ -256,6 +256,28 @@ CASES = [
     rules("weight that is none", '<size of="F/A" weight="heavy"/>', "LK105 7:1"),
     rules("weight of nothing", '<size of="F/A" weight="0"/>', "LK105 7:1", seen_by=READER),
     rules("bias beyond the end", '<size of="F/A" min="1" bias="-2"/>', "LK105 7:1", seen_by=READER),
+    # Generators
+    rules("pattern cut off", '<repetition within="F" pattern="A (B"/>', "LK105 7:1", seen_by=READER),
+    rules("pattern with ends", '<repetition within="F" pattern="|- A B -|"/>', "LK105 7:1", seen_by=READER),
+    rules("no pattern", '<repetition within="F"/>', "LK104 7:1"),
+    rules(
+        "name in a pattern that is not there",
+        '<repetition within="F" pattern="A+[@Wal] X"/>',
+        "LK201 7:1",
+        "LK201 7:1",
+        seen_by=READER,
+    ),
+    rules("pattern that counts", '<repetition within="F" pattern="B (A A)+"/>', "LK220 7:1", seen_by=READER),
+    rules("shuffle of one", '<two-shuffle within="F" of="A"/>', "LK105 7:1", seen_by=READER),
+    rules("nothing to reverse", '<reversal within="F"/>', "LK221 7:1", seen_by=READER),
+    rules(
+        "regions that do not correspond",
+        '<sequence within="F" word="A B"/>\n<reuse within="F/B" like="F"/>',
+        "LK222 8:1",
+        seen_by=READER,
+    ),
+    rules("run in another order", '<replication within="F" of="B A"/>', "LK223 7:1", seen_by=READER),
+    rules("shuffle in a terminal", '<two-shuffle within="F/A"/>', "LK205 7:1", seen_by=READER),
     facade(
         "names are not judged where some are unreadable",
         '<region symbl="F" width="1" height="1" split="rows"><region symbol="?" height="1"/></region>\n'

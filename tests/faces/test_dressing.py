@@ -12,9 +12,24 @@ from hypothesis import given
 from hypothesis import strategies as st
 from walls import DESIGN, Wall, building, design, mass, walls
 
-from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement, SameSize, Sequence, Size
+from layoutkit.constraints import (
+    Alignment,
+    Constraint,
+    Frequency,
+    Instances,
+    Lock,
+    Repetition,
+    Replication,
+    Reuse,
+    SameArrangement,
+    SameSize,
+    Sequence,
+    Size,
+    Symmetry,
+)
 from layoutkit.constraints.attributes import PATH, AttributeType, attribute
 from layoutkit.constraints.dressing import dressed, dressing_faults, root_symbol
+from layoutkit.constraints.pattern import Pattern
 from layoutkit.constraints.references import unknown_path
 from layoutkit.diagnostics import Diagnostic, Place, Severity
 from layoutkit.model import (
@@ -48,6 +63,14 @@ FACE_RULES: list[Constraint] = [
     SameArrangement(of=("H/G",)),
     Sequence(within=("H/G",), word=W("⊢ P {W D} P W P D P ⊣")),
     Sequence(within=("H/F",), word=W("⊢ P W P ⊣")),
+    Replication(within=("H/G",)),
+    Repetition(within=("H/F",), pattern=Pattern.parse("P (W P)+")),
+    Reuse(within=S("@Floor - H/G"), like="H/G", symbols=(("D", "W"),)),
+    Instances(of=S("H/F"), max=Measure(1.0)),
+    Symmetry(of=("H/G",)),
+    Lock(of=S("H/G"), keep=("size",)),
+    Lock(of=S("H/G/D"), keep=("place",)),
+    Lock(of=S("H/F"), keep=("inside",)),
 ]
 
 
@@ -198,6 +221,17 @@ class Failing(Alone):
         return iter(())
 
 
+@dataclass(frozen=True, kw_only=True)
+class Picky(Alone):
+    """A kind that knows what its paths begin with."""
+
+    kind: ClassVar[str] = "picky"
+
+    def __post_init__(self) -> None:
+        if not self.of.startswith("H"):
+            raise ValueError("no such path")
+
+
 PLACE = Place("h.xml", 7, 3)
 
 
@@ -207,6 +241,7 @@ PLACE = Place("h.xml", 7, 3)
         (Alone(of="H/G", scope="building", place=PLACE), "LK804", Severity.WARNING),
         (Opaque(of="H/G", place=PLACE), "LK805", Severity.ERROR),
         (Failing(of="H/G", place=PLACE), "LK407", Severity.ERROR),
+        (Picky(of="H/G", place=PLACE), "LK407", Severity.ERROR),
     ],
     ids=lambda value: getattr(value, "kind", value),
 )

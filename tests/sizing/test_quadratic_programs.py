@@ -12,7 +12,8 @@ from scipy.optimize import linprog, minimize
 from scipy.sparse import csr_matrix
 
 from layoutkit.sizing.backends import BACKENDS, Clarabel, Daqp, polish
-from layoutkit.sizing.plan import Contradiction, Plan, make_plan
+from layoutkit.sizing.conflicts import Contradiction
+from layoutkit.sizing.plan import Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Solution
 from layoutkit.sizing.rules import SIZE, Range, Target
 from layoutkit.sizing.solve import RESIDUAL, minimum

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from typing import Literal, cast
@@ -34,20 +33,19 @@ def with_end(constraint: Constraint, end: End, measure: Measure | None) -> Const
     return replace(constraint, **{end: measure})  # type: ignore[arg-type]  # an attribute of the kind
 
 
-def parts(constraint: Constraint, facade: Facade) -> Iterator[Constraint]:
-    """Yield what a constraint asks of each single region, each end by itself: together, all that it asks."""
+def by_end(constraint: Constraint, facade: Facade) -> list[Constraint]:
+    """Return what a constraint asks, each end of its range by itself."""
     ends = ends_of(constraint)
-    for end in ends:
-        narrow = constraint
-        for other in (e for e in ends if e != end):
-            narrow = with_end(narrow, other, None)
-        if isinstance(narrow, Size | Instances):
-            for path in facade.select(narrow.of):
-                yield replace(narrow, of=RegionSet(path))
-        else:
-            yield narrow
-    if not ends:
-        yield constraint
+    if len(ends) < len(ENDS):
+        return [constraint]
+    return [with_end(constraint, other, None) for other in reversed(ENDS)]
+
+
+def by_region(constraint: Constraint, facade: Facade) -> list[Constraint]:
+    """Return what a constraint asks of each single region."""
+    if not isinstance(constraint, Size | Instances):
+        return [constraint]
+    return [replace(constraint, of=RegionSet(path)) for path in facade.select(constraint.of)]
 
 
 @dataclass(frozen=True)

@@ -9,11 +9,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from layoutkit.constraints import Constraint
-from layoutkit_relayout.explanation.bounds import parts
+from layoutkit.model import Facade
+from layoutkit_relayout.explanation.bounds import by_end, by_region
 from layoutkit_relayout.explanation.judge import Judge
 from layoutkit_relayout.explanation.units import Unit, without
 
 Infeasible = Callable[[Sequence[Unit]], bool]
+#: What of each unit takes part in a conflict.
+Parts = dict[Unit, tuple[Constraint, ...]]
+Split = Callable[[Constraint, Facade], list[Constraint]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,21 +88,32 @@ def _explain(infeasible: Infeasible, held: list[Unit], fresh: list[Unit], units:
     return _explain(infeasible, [*held, *needed], needed, first) + needed
 
 
-def narrowed(judge: Judge, core: Core) -> dict[Unit, tuple[Constraint, ...]]:
-    """Return, for each unit of a conflict, what of it takes part: single regions, and one end of a range.
+def narrowed(judge: Judge, core: Core) -> Parts:
+    """Return, for each unit of a conflict, what of it takes part: one end of a range, and single regions.
 
     The parts together still cannot hold.
     """
+    found: Parts = {unit: unit.constraints for unit in core.units}
+    for split in (by_end, by_region):
+        found = _narrowed(judge, found, split)
+    return found
+
+
+def _narrowed(judge: Judge, parts: Parts, split: Split) -> Parts:
+    """Split the parts of units, and drop those without which the rest still cannot hold."""
     origins: dict[Unit, Unit] = {}
-    for unit in core.units:
-        pieces = [p for c in unit.constraints for p in parts(c, judge.facade)] if not unit.region else []
-        if len(pieces) > 1:
+    whole: list[Unit] = []
+    for unit, own in parts.items():
+        pieces = [piece for part in own for piece in split(part, judge.facade)] if not unit.region else []
+        if len(pieces) > len(own):
             origins |= {Unit.of(piece): unit for piece in pieces}
-    whole = [unit for unit in core.units if unit not in origins.values()]
-    needed = list(origins)
-    if needed and judge.settle([*whole, *needed]).status == "infeasible":
-        needed = quickxplain(lambda some: judge.ask([*whole, *some]).status == "infeasible", needed)
-    found = {unit: unit.constraints for unit in whole}
-    for piece in needed:
+        else:
+            whole.append(Unit(own, unit.sources, unit.region, unit.by_default))
+            origins[whole[-1]] = unit
+    split_up = [piece for piece in origins if piece not in whole]
+    if split_up and judge.settle([*whole, *split_up]).status == "infeasible":
+        split_up = quickxplain(lambda some: judge.glance([*whole, *some]).status == "infeasible", split_up)
+    found: Parts = {}
+    for piece in [*whole, *split_up]:
         found[origins[piece]] = (*found.get(origins[piece], ()), *piece.constraints)
-    return {unit: found[unit] for unit in core.units if unit in found}
+    return {unit: found[unit] for unit in parts if unit in found}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from layoutkit.constraints import Constraint, Frequency, Instances
@@ -80,13 +80,22 @@ def _conflicts(
             break
         core = minimal_core(judge, _suspected(judge, left, suspects))
         parts = narrowed(judge, core)
-        # Of a member that may not be needed at all nothing is gained by giving it up.
-        candidates = by_value(unit for unit in parts if unit not in core.unproved) or by_value(parts)
-        enough = (u for u in candidates if judge.ask(without(left, u)).status == "found")
-        found.append(_Found(core, parts, next(enough, candidates[0])))
+        found.append(_Found(core, parts, _given_up(judge, left, core, parts)))
         left = without(left, found[-1].given_up)
         verdict = judge.ask(left)
     return found, left, verdict
+
+
+def _given_up(judge: Judge, units: Sequence[Unit], core: Core, parts: Iterable[Unit]) -> Unit:
+    """Return the member of a conflict without which to go on: one that is enough, of those that lose least.
+
+    To another arrangement many conflicts give way at once, and remain unsaid: it is given up only where
+    nothing else can be. By giving up what may not be needed nothing is gained.
+    """
+    candidates = by_value(unit for unit in parts if unit not in core.unproved) or by_value(parts)
+    candidates = [unit for unit in candidates if not unit.region] or candidates
+    enough = (unit for unit in candidates if judge.ask(without(units, unit)).status == "found")
+    return next(enough, candidates[0])
 
 
 def _suspected(judge: Judge, units: list[Unit], suspects: Suspects) -> list[Unit]:
@@ -143,7 +152,7 @@ def _told(facade: Facade, found: _Found, ways: Sequence[Way]) -> Conflict:
             )
         )
     remedies = tuple(way.remedy for way in ways)
-    return Conflict(tuple(members), _short(ways), remedies)
+    return Conflict(tuple(members), _short(ways), remedies, [*found.parts].index(found.given_up))
 
 
 def _regions(facade: Facade, unit: Unit, parts: Sequence[Constraint]) -> tuple[str, ...]:

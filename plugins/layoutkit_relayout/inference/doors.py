@@ -9,7 +9,7 @@ from layoutkit.model import Facade, Measure, RegionSet
 from layoutkit_relayout.inference.lockstep import locksteps
 
 #: Up to so many doors a facade keeps their number; more of them grow with the width.
-_FEW = 2
+FEW_DOORS = 2
 
 
 def doors(facade: Facade) -> Iterator[Frequency]:
@@ -20,7 +20,7 @@ def doors(facade: Facade) -> Iterator[Frequency]:
         first = facade.places[path][0].path
         paths = facade.select(RegionSet("@Door"), path)
         count = sum(p.path.startswith(f"{first}/") for inner in paths for p in facade.places[inner])
-        if 0 < count <= _FEW:
+        if 0 < count <= FEW_DOORS:
             least, most = Measure(float(count)), Measure(float(count))
         elif count:
             least, most = Measure(0.5, relative=True), Measure(1.5, relative=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from layoutkit.model import Facade, Region
@@ -12,6 +12,10 @@ from layoutkit_relayout.inference.lockstep import Lockstep
 
 #: Heights at an edge are the same within this share of a floor's height.
 _SAME_HEIGHT = 0.02
+
+
+#: What may follow each symbol.
+After = Mapping[str, Sequence[str]]
 
 
 class Edges:
@@ -54,6 +58,26 @@ class Edges:
                 if label not in WALLS:
                     found.add((number, label, round(bottom / unit), round(top / unit)))
         return found
+
+
+def matching(word: Sequence[str], edges: Edges) -> After:
+    """Return what may follow each symbol where edges match; a symbol of its own at an end keeps its place."""
+    alone = {symbol for symbol in (word[0], word[-1]) if word.count(symbol) == 1}
+    return after(word, lambda one, other: not alone & {one, other} and edges.match(one, other))
+
+
+def fitting(word: Sequence[str], edges: Edges) -> After:
+    """Return what may follow each symbol where such neighbours are usual; lone symbols stay at their ends."""
+    first = word[0] if word.count(word[0]) == 1 else None
+    last = word[-1] if word.count(word[-1]) == 1 else None
+    return after(word, lambda one, other: one != last and other != first and edges.fit(one, other))
+
+
+def after(word: Sequence[str], beside: Callable[[str, str], bool]) -> After:
+    """Return what may follow each symbol: what does so in the input, and what may stand beside it."""
+    seen = set(pairwise(word))
+    symbols = dict.fromkeys(word)
+    return {one: [s for s in symbols if (one, s) in seen or beside(one, s)] for one in symbols}
 
 
 def _edge(region: Region, side: int, bottom: float) -> Iterator[tuple[str, float, float]]:

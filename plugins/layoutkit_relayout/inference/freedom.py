@@ -37,6 +37,8 @@ class Freedom:
         neighbours match (``matching``); any (``free``).
     lockstep
         Whether floors that share their bays keep on sharing them, one above the other.
+    instances
+        In how many ways the floors of one kind may be laid out in one variation; 1: all are replicas.
     rare
         Greatest count of rare bays, as a multiple of the input's; None for any.
     """
@@ -47,6 +49,7 @@ class Freedom:
     walls: Span
     order: Literal["kept", "matching", "free"]
     lockstep: bool
+    instances: int
     rare: float | None
 
 
@@ -58,6 +61,7 @@ LEVELS: Mapping[Level, Freedom] = {
         Span(0.6, 2.5, 0.06),
         "kept",
         True,
+        1,
         1.0,
     ),
     "medium": Freedom(
@@ -67,6 +71,7 @@ LEVELS: Mapping[Level, Freedom] = {
         Span(0.5, 4.0, 0.12),
         "matching",
         True,
+        1,
         1.5,
     ),
     "loose": Freedom(
@@ -76,6 +81,7 @@ LEVELS: Mapping[Level, Freedom] = {
         Span(0.35, 5.0, 0.25),
         "free",
         False,
+        2,
         None,
     ),
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from layoutkit.model import Region
+
 #: A floor, and the columns it is made of: bays with elements, and the space between them.
 FLOOR, BAY, PIER = "Floor", "Bay", "Pier"
 #: Labels of space that may be stretched; of rooms for other things.
@@ -15,3 +17,8 @@ BANDS = frozenset({"Cornice", "Molding"})
 GROUNDED = frozenset({"Door", "Shop"})
 #: Labels of what is not the house: a floor that has it is at its edge, and stays too.
 OUTSIDE = frozenset({"Background", "Sky"})
+
+
+def labels_in(region: Region) -> frozenset[str]:
+    """Return all labels in a region, its own among them."""
+    return frozenset(region.labels).union(*(labels_in(child) for child in region.children))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from layoutkit.constraints.chains import Inexpressible
@@ -26,18 +26,21 @@ class Run:
         Its places in the arrangement, the end exclusive.
     unit, between
         How many symbols the unit has, and how many stand between two; the latter may be 0.
+    optional
+        Whether the run may be left out, too.
     """
 
     start: int
     end: int
     unit: int
     between: int
+    optional: bool = False
 
     def pattern(self, word: Sequence[str]) -> Pattern:
         """Return the run, any number of units long."""
         unit = _row(word[self.start : self.start + self.unit])
         between = word[self.start + self.unit : self.start + self.unit + self.between]
-        return Marked(unit, "+", _row(between) if between else None)
+        return Marked(unit, "*" if self.optional else "+", _row(between) if between else None)
 
 
 def inner(word: Sequence[str]) -> tuple[int, int]:
@@ -46,43 +49,66 @@ def inner(word: Sequence[str]) -> tuple[int, int]:
     return int(word[0] not in within), len(word) - int(word[-1] not in within)
 
 
-def runs(word: Sequence[str], bay: Callable[[str], bool]) -> Iterator[Run]:
+def runs(word: Sequence[str], spaces: Collection[str], once: Collection[str]) -> Iterator[Run]:
     """Yield the runs of a word from left to right: from each place on the longest, of the shortest period.
 
     Corners, which stand at the ends only, are in none.
 
     Parameters
     ----------
-    bay
-        Tells bays from mere space.
+    spaces
+        Symbols of mere space between bays.
+    once
+        Symbols that do not repeat: they are in no run.
     """
-    start, last = inner(word)
-    while start < last:
-        found = [_run(word[:last], start, period) for period in range(1, _LONGEST_UNIT + 1)]
-        found = [run for run in found if run.end > start + run.unit + run.between]
-        longest = max(found, key=lambda run: run.end, default=None)
-        if longest is not None and sum(map(bay, word[start : longest.end])) >= _FEWEST_BAYS:
-            yield longest
-            start = longest.end
-        else:
-            start += 1
+    for start, end in _stretches(word, once):
+        while start < end:
+            longest = _longest(word[:end], start)
+            if longest is not None and _bays(word[start : longest.end], spaces) >= _FEWEST_BAYS:
+                yield longest
+                start = longest.end
+            else:
+                start += 1
 
 
-def units(word: Sequence[str], beside: Callable[[str, str], bool]) -> Iterator[Run]:
+def units(word: Sequence[str], once: Collection[str], beside: Callable[[str, str], bool]) -> Iterator[Run]:
     """Yield runs of one unit, for a word without a rhythm: two neighbours that may follow themselves.
 
     Parameters
     ----------
+    once
+        Symbols that do not repeat.
     beside
         Tells whether one symbol may be followed by another.
     """
+    for start, end in _stretches(word, once):
+        while start + 1 < end:
+            if beside(word[start + 1], word[start]):
+                yield Run(start, start + 2, 2, 0)
+                start += 2
+            else:
+                start += 1
+
+
+def _stretches(word: Sequence[str], once: Collection[str]) -> Iterator[tuple[int, int]]:
+    """Yield start and end of what lies between the corners and the symbols that do not repeat."""
     start, last = inner(word)
-    while start + 1 < last:
-        if beside(word[start + 1], word[start]):
-            yield Run(start, start + 2, 2, 0)
-            start += 2
-        else:
-            start += 1
+    for place in range(start, last):
+        if word[place] in once:
+            yield start, place
+            start = place + 1
+    yield start, last
+
+
+def _longest(word: Sequence[str], start: int) -> Run | None:
+    """Return the longest run from a place on, with two units at least, if there is one."""
+    found = [_run(word, start, period) for period in range(1, _LONGEST_UNIT + 1)]
+    found = [run for run in found if run.end > start + run.unit + run.between]
+    return max(found, key=lambda run: run.end, default=None)
+
+
+def _bays(symbols: Sequence[str], spaces: Collection[str]) -> int:
+    return sum(symbol not in spaces for symbol in symbols)
 
 
 def repeated(word: Sequence[str], some: Sequence[Run]) -> Pattern:

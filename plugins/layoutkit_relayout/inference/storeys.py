@@ -6,10 +6,10 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
 
-from layoutkit.constraints import Constraint
-from layoutkit.model import Facade, Region, RegionSet, Word
+from layoutkit.constraints import Constraint, Instances
+from layoutkit.model import Facade, Measure, Region, RegionSet, Word
 from layoutkit_relayout.inference.freedom import Freedom
-from layoutkit_relayout.inference.labels import FLOOR, GROUNDED, OUTSIDE
+from layoutkit_relayout.inference.labels import FLOOR, GROUNDED, OUTSIDE, labels_in
 from layoutkit_relayout.inference.lockstep import locksteps
 from layoutkit_relayout.inference.patterns import told
 
@@ -43,15 +43,21 @@ class Storeys:
 
 
 def storeys(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
-    """Yield sequences for every region whose rows hold at least two floors."""
+    """Yield which floors may stand above which, for every region whose rows hold at least two of them."""
     for path, region in facade.regions.items():
         if region.split == "rows" and sum(map(is_floor, region.children)) >= 2:
             shared = {p for lockstep in locksteps(facade) if len(lockstep.paths) > 1 for p in lockstep.paths}
             free = {child.symbol for child in region.children if _may_vary(child)}
             if freedom.order != "free":
                 free = {s for s in free if f"{path}/{s}" in shared} or free
-            words = _words(_read(region), free, freedom)
-            yield from told(facade, [path], words, _MEANING[freedom.order])
+            found = _read(region)
+            numbers = _free(found, free)
+            yield from told(facade, [path], _words(found, numbers, freedom), _MEANING[freedom.order])
+            names = dict.fromkeys(f"{path}/{found.floors[i]}" for i in numbers)
+            if names and freedom.instances > 1:
+                comment = "floors of one kind need not be alike"
+                most = Measure(float(freedom.instances))
+                yield Instances(of=RegionSet.union(names), max=most, comment=comment)
 
 
 def is_floor(region: Region) -> bool:
@@ -67,12 +73,16 @@ def _read(region: Region) -> Storeys:
     return Storeys(word[: places[0]], floors, gaps, word[places[-1] + 1 :])
 
 
-def _words(found: Storeys, may_vary: Collection[str], freedom: Freedom) -> list[Word]:
+def _free(found: Storeys, may_vary: Collection[str]) -> list[int]:
+    """Return the numbers of the floors whose number and place may vary."""
+    free = [i for i, symbol in enumerate(found.floors[:-1]) if symbol in may_vary]
+    # The top floor bears the roof.
+    return free[1:] if len(free) > 1 and free[0] == 0 else free
+
+
+def _words(found: Storeys, free: Sequence[int], freedom: Freedom) -> list[Word]:
     """Return one sequence a transition from floor to floor, and those of head and foot."""
     last = len(found.floors) - 1
-    free = [i for i in range(last) if found.floors[i] in may_vary]
-    if len(free) > 1 and free[0] == 0:
-        free = free[1:]  # the top floor bears the roof
     ways = dict.fromkeys(_way(found, i, i + 1) for i in range(last))
     ways.update(dict.fromkeys(_way(found, i, j) for i, j in _transitions(free, last, freedom)))
     words = [_word((*found.head, found.floors[0]), at_start=True)]
@@ -110,11 +120,6 @@ def _way(found: Storeys, above: int, below: int) -> tuple[str, ...]:
 
 def _may_vary(floor: Region) -> bool:
     return is_floor(floor) and not (labels_in(floor) & (GROUNDED | OUTSIDE)) and "Window" in labels_in(floor)
-
-
-def labels_in(region: Region) -> frozenset[str]:
-    """Return all labels in a region."""
-    return frozenset(region.labels).union(*(labels_in(child) for child in region.children))
 
 
 def _word(symbols: tuple[str, ...], at_start: bool = False, at_end: bool = False) -> Word:
