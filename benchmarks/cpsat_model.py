@@ -65,7 +65,7 @@ class Row:
     """
 
     letters: tuple[Mapping[str, Literal], ...]
-    blanks: tuple[Literal | None, ...]
+    blanks: tuple[Literal, ...]
     offsets: tuple[Linear, ...]
     ranges: tuple[tuple[int, int], ...]
 
@@ -193,7 +193,7 @@ class Program:
     def _row(self, path: str, axis: int) -> Row:
         positions = _possible(self.stated.grammars[path], self._least(path, axis), self.most[path, axis])
         literals: list[dict[str, Literal]] = []
-        blanks: list[Literal | None] = []
+        blanks: list[Literal] = []
         for number, position in enumerate(positions):
             own = {s: self.model.new_bool_var(f"{path}[{number}]={s}") for s in position.symbols}
             literals.append(own)
@@ -211,7 +211,7 @@ class Program:
         }
 
     def _automaton(
-        self, path: str, literals: Sequence[Mapping[str, Literal]], blanks: Sequence[Literal | None]
+        self, path: str, literals: Sequence[Mapping[str, Literal]], blanks: Sequence[Literal]
     ) -> None:
         grammar, numbers = (
             self.stated.grammars[path],
@@ -242,7 +242,7 @@ class Program:
         path: str,
         axis: int,
         literals: Sequence[Mapping[str, Literal]],
-        blanks: Sequence[Literal | None],
+        blanks: Sequence[Literal],
         ranges: Sequence[tuple[int, int]],
     ) -> tuple[Linear, ...]:
         offsets: list[Linear] = [0]
@@ -289,11 +289,11 @@ class Program:
         pairs = defaultdict(lambda: defaultdict(set))
         for line in self.stated.lines:
             for ends in product(line.first, line.second):
-                (one, a), (other, b) = sorted(path.rpartition("/")[::2] for path in ends)
+                (one, x), (other, y) = sorted(path.rpartition("/")[::2] for path in ends)
                 if self.stated.axis[one] != line.axis or self.stated.axis[other] != line.axis:
                     raise Unsupported(f"{ends} do not stand along the lines' axis")
                 if one != other and one in self.rows and other in self.rows:
-                    pairs[line.axis, one, other][line.share].add((a, b))
+                    pairs[line.axis, one, other][line.share].add((x, y))
         for (axis, one, other), shares in pairs.items():
             common = _common(one, other)
             first, second = (self._elements(path, common, axis) for path in (one, other))
@@ -472,7 +472,8 @@ def _closed(stated: Stated) -> Iterator[str]:
 
 def _only_word(grammar: Grammar) -> tuple[str, ...] | None:
     """Return the word, if there is only one."""
-    word, state = [], 0
+    word: list[str] = []
+    state = 0
     while grammar.next[state]:
         if len(grammar.next[state]) > 1 or state in grammar.accepting or len(word) > len(grammar.next):
             return None

@@ -46,7 +46,7 @@ def _roof() -> Part:
 
 def _rhythm(openings: str) -> str:
     """Return the word of a storey; the second opening stands in the middle."""
-    usual, middle = openings
+    usual, middle = openings[0], openings[1]
     shown = [middle if number == len(RHYTHM) // 2 else usual for number in range(len(RHYTHM) + 1)]
     word = [shown[0]]
     for ornament, opening in zip(RHYTHM, shown[1:], strict=True):

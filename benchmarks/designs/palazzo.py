@@ -25,7 +25,7 @@ from layoutkit.constraints import Constraint
 from layoutkit.model import Facade
 
 #: Storeys from the top down, each with its narrow and its wide opening.
-STOREYS = {"T": "WD", "U": "WD", "P": "WB", "G": "OX"}
+STOREYS = {"T": ("W", "D"), "U": ("W", "D"), "P": ("W", "B"), "G": ("O", "X")}
 #: Openings with casements: all but the gate.
 GLAZED = [f"Palazzo/{storey}/{one}" for storey, openings in STOREYS.items() for one in openings if one != "X"]
 

@@ -82,7 +82,7 @@ def _rhythms() -> list[Constraint]:
         found += sequences(path, *(f"{x} {wall} {y}" for x, wall, y in product(OPENINGS, "ab", OPENINGS)))
         found += sequences(path, *(f"⊢ {wall} {x}" for wall, x in product("ab", OPENINGS)))
         found += sequences(path, *(f"{x} {wall} ⊣" for wall, x in product("ab", OPENINGS)))
-    for wall, (x, y) in product("ab", ("OO", "OX", "XO")):
+    for wall, (x, y) in product("ab", (("O", "O"), ("O", "X"), ("X", "O"))):
         found += sequences("Shop/G", f"{x} {wall} {y}")
     found += sequences("Shop/G", *(f"⊢ {wall} {x}" for wall, x in product("ab", "OX")))
     return found + sequences("Shop/G", *(f"{x} {wall} ⊣" for wall, x in product("ab", "OX")))

@@ -50,16 +50,21 @@ def _width() -> float:
 
 def _crown() -> Part:
     panels = [_panel(CROWN[bay], width, 2.4) for bay, width in BAYS.items()]
-    word = WORD.translate(str.maketrans({"p": "f", **CROWN}))
+    word = _replaced({"p": "f", **CROWN})
     band = columns("k", 2.4, word, [leaf("f", PIER, "Finial"), *panels])
     return rows("K", 4.0, "h k", [leaf("h", 1.6, "Parapet"), band], "Crown")
 
 
 def _beam() -> Part:
     panels = [_panel(BEAM[bay], width - 0.8, 1.0) for bay, width in BAYS.items()]
-    word = WORD.translate(str.maketrans({"p": "r", **{bay: f"e {panel} e" for bay, panel in BEAM.items()}}))
+    word = _replaced({"p": "r", **{bay: f"e {panel} e" for bay, panel in BEAM.items()}})
     band = columns("o", 1.0, word, [leaf("r", PIER, "Rosette"), leaf("e", 0.4), *panels])
     return rows("B", 2.0, "g o f", [leaf("g", 0.5, "Ledge"), band, leaf("f", 0.5, "Ledge")], "Beam")
+
+
+def _replaced(letters: dict[str, str]) -> str:
+    """Return the word of a block with other letters for its piers and bays."""
+    return " ".join(letters[letter] for letter in WORD.split())
 
 
 def _panel(symbol: str, width: float, height: float) -> Part:

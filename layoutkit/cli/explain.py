@@ -18,7 +18,7 @@ from layoutkit.cli.render import photo_of
 from layoutkit.cli.results import FACADE_FILE, ResultFolder
 from layoutkit.cli.session import Session
 from layoutkit.cli.vary import AS_IS, Size, building, constrained, refuse_own_input
-from layoutkit.model import Facade, Layout, Measure, Picture
+from layoutkit.model import Facade, Layout, Picture
 
 if TYPE_CHECKING:
     from layoutkit.hooks import Outcome, Status
@@ -61,9 +61,9 @@ def explain(
         typer.Option(
             "-o",
             "--output",
-            metavar="DIR|PNG",
+            metavar="OUT",
             show_default=False,
-            help="A folder for the layout, its picture and the explanation; or the picture alone.",
+            help="A folder for the layout, its picture and the explanation; or a .png for the picture alone.",
         ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Start of the random choices in the layout.")] = 0,
@@ -89,7 +89,7 @@ def explain(
     asked = {"width": width, "height": height, "seed": seed}
     outcome = _outcome(session, subject, asked if node_limit is None else {**asked, "node_limit": node_limit})
     session.report(outcome.diagnostics)
-    answer = _Answer(session, facade, outcome, _size(subject, width, height))
+    answer = _Answer(session, facade, outcome)
     if output is not None:
         photo = photo_of(facade, facade_file.parent)
         _write(answer, output, source, photo, facade_file.parent)
@@ -108,7 +108,14 @@ class _Answer:
     session: Session
     facade: Facade
     outcome: Outcome
-    size: tuple[float, float]
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height that were asked for."""
+        if isinstance(self.outcome.document, Layout):
+            return self.outcome.document.root.width, self.outcome.document.root.height
+        assert self.outcome.explanation is not None  # an outcome of this stage has either
+        return self.outcome.explanation.size
 
     @property
     def layout(self) -> Layout | None:
@@ -155,10 +162,6 @@ def _outcome(session: Session, facade: Facade, asked: dict[str, Any]) -> Outcome
     return next(iter(stage.run(facade, options_of(stage.options, **asked))))
 
 
-def _size(facade: Facade, width: Measure, height: Measure) -> tuple[float, float]:
-    return width.of(facade.root.width), height.of(facade.root.height)
-
-
 def _is_picture(output: Path) -> bool:
     return output.suffix.lower() == ".png"
 
@@ -183,10 +186,7 @@ def _write(answer: _Answer, output: Path, source: bytes, photo: Photo | None, fo
     session.write(output / DATA_FILE, f"{json.dumps(answer.data(), indent=2)}\n".encode())
     if layout is not None:
         shown = Picture(PICTURE_FILE, (0.0, 0.0, float(size[0]), float(size[1])))
-        of = layout.facade.building if layout.facade is not None else None
-        written = replace(
-            layout, facade_file=FACADE_FILE, picture=shown, mass=of.mass if of is not None else None
-        )
+        written = replace(layout, facade_file=FACADE_FILE, picture=shown)
         session.write(output / LAYOUT_FILE, layout_bytes(written))
 
 

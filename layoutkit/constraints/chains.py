@@ -50,13 +50,22 @@ def chained(words: Language) -> tuple[Piece, ...]:
     Raises
     ------
     Inexpressible
-        If none are found, or too many.
+        If none are found.
+    TooManyStates
+        If there are too many.
     """
     kinds = _Kinds(words)
+    many = False
     for joints in _choices(kinds):
-        drafts = _between(kinds, joints)
+        try:
+            drafts = _all_between(kinds, joints)
+        except TooManyStates:
+            many = True
+            continue
         if drafts is not None and _exact(kinds, joints, drafts):
             return tuple(kinds.merged(_fewer(kinds, joints, drafts)))
+    if many:
+        raise TooManyStates(f"more than {_MOST_PIECES} sequences")
     raise Inexpressible(_excess(kinds))
 
 
@@ -208,6 +217,20 @@ def _constant(kinds: _Kinds, longest: int) -> Joints:
 
 def _between(kinds: _Kinds, joints: Joints) -> list[_Draft] | None:
     """Return the sequences from joint to joint; None if there is no end of them, or too many."""
+    try:
+        return _all_between(kinds, joints)
+    except TooManyStates:
+        return None
+
+
+def _all_between(kinds: _Kinds, joints: Joints) -> list[_Draft] | None:
+    """Return the sequences from joint to joint; None if there is no end of them.
+
+    Raises
+    ------
+    TooManyStates
+        If they are too many.
+    """
     ends = frozenset((joint.run, joint.state) for joint in joints)
     found: list[_Draft] = []
     symbols = 0
@@ -218,7 +241,7 @@ def _between(kinds: _Kinds, joints: Joints) -> list[_Draft] | None:
             found.append(draft)
             symbols += len(draft.run)
             if len(found) > _MOST_PIECES or symbols > _MOST_SYMBOLS:
-                return None
+                raise TooManyStates(f"more than {_MOST_PIECES} sequences")
     return found
 
 

@@ -170,9 +170,14 @@ class Repetition(_Named):
     )
 
     def words(self, facade: Facade, path: str, given: Given) -> tuple[Word, ...]:
-        """Return the sequences that say what the pattern says."""
+        """Return the sequences that say what the pattern says; regions with the same names share them."""
+        names = names_of(facade.regions[path])
+        key = (self.pattern, tuple(names.items()))
         try:
-            return repetition(self.pattern, names_of(facade.regions[path]))
+            if key not in facade.memory:
+                facade.memory[key] = repetition(self.pattern, names)
+            found: tuple[Word, ...] = facade.memory[key]
+            return found
         except Inexpressible as error:
             raise self._inexpressible(path, error) from None
         except TooManyStates:

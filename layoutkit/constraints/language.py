@@ -14,12 +14,14 @@ from layoutkit.constraints.word_rules import Automaton, State
 
 #: Automata with more states than these are not worked out.
 MOST_STATES = 3000
+#: Nor those of patterns with more names.
+MOST_NAMES = 200
 #: What stands for "no word goes on so".
 DEAD = -1
 
 
 class TooManyStates(ValueError):  # noqa: N818 - says what is the matter
-    """An automaton is too large to be worked out."""
+    """An automaton, or what it is made from or written as, is too large to be worked out."""
 
 
 @dataclass(frozen=True)
@@ -167,9 +169,16 @@ class Spelling:
     ----------
     names
         For each symbol, the names that it goes by: itself, and its labels with their ``@``.
+
+    Raises
+    ------
+    TooManyStates
+        If the pattern has more than `MOST_NAMES` names.
     """
 
     def __init__(self, pattern: Pattern, names: Mapping[str, frozenset[str]]) -> None:
+        if sum(1 for _ in pattern.sets()) > MOST_NAMES:
+            raise TooManyStates(f"more than {MOST_NAMES} names")
         self._names = names
         self._silent: list[list[int]] = []
         self._reading: dict[int, tuple[frozenset[str], int]] = {}

@@ -15,7 +15,7 @@ from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from layoutkit.model import Facade, Split
-from layoutkit.sizing.rules import SIZE, Form, Range
+from layoutkit.sizing.rules import SIZE, UNIT, Form, Range
 
 if TYPE_CHECKING:
     from layoutkit.sizing.qp import Floats
@@ -114,14 +114,21 @@ class Arrangement:
         pending: list[tuple[str, tuple[Form, Form]]] = [(root, ({SIZE: 1.0}, {SIZE: 1.0}))]
         for path, extent in pending:  # which grows meanwhile
             region, word = self.facade.regions[path], self.words.get(path)
-            if region.split is None or word is None:
+            if region.split is None or word is None or region.split == "faces":
                 self.frames[path] = Frame(extent)
+                pending += self._faces(path) if region.split == "faces" else ()
                 continue
             axis = AXIS[region.split]
             cuts, sizes = self._divided(path, axis, word, extent[axis])
             self.frames[path] = Frame(extent, cuts)
             for symbol, size in sizes.items():
                 pending.append((f"{path}/{symbol}", (size, extent[1]) if axis == 0 else (extent[0], size)))
+
+    def _faces(self, root: str) -> Iterator[tuple[str, tuple[Form, Form]]]:
+        """Yield a building's faces: their sizes are given."""
+        for symbol in dict.fromkeys(self.words[root]):
+            box = self.facade.faces[f"{root}/{symbol}"]
+            yield f"{root}/{symbol}", ({UNIT: box.width}, {UNIT: box.height})
 
     def _divided(
         self, path: str, axis: int, word: Sequence[str], extent: Form
@@ -184,6 +191,13 @@ class Arrangement:
             yield Slot(path, None, (), {}, {SIZE: 1.0})
             return
         frame = self.frames[parent_path]
+        if path in self.facade.faces:
+            box = self.facade.faces[path]
+            # Along y, down from the top of the highest face.
+            start: Form = {UNIT: box.x0} if axis == 0 else {SIZE: 1.0, UNIT: -box.y1}
+            (parent,) = self.slots(parent_path, axis)
+            yield Slot(path, parent, parent.order, start, add(start, self.extent(path, axis)))
+            return
         if AXIS[self.facade.regions[parent_path].split or "columns"] != axis:
             for parent in self.slots(parent_path, axis):
                 yield Slot(path, parent, parent.order, parent.start, parent.end)

@@ -18,29 +18,31 @@ def region_tree(arrangement: Arrangement, values: Sequence[Floats]) -> Region:
     values
         Those of all variables of x and of y, in document units; the first of each is the facade's size.
     """
+    sizes = _exact(arrangement, values)
     made: dict[str, Region] = {}
     for path in reversed(arrangement.frames):  # children stand after their parents
-        source, extent = arrangement.facade.regions[path], arrangement.frames[path].extent
-        width, height = (value(extent[axis], values[axis]) for axis in (0, 1))
+        width, height = sizes[path]
         children = tuple(made[f"{path}/{symbol}"] for symbol in arrangement.words.get(path, ()))
-        made[path] = replace(source, width=width, height=height, children=children)
-    root = made[arrangement.facade.root.symbol]
-    return _exact(root, float(values[0][0]), float(values[1][0]))
+        region = replace(arrangement.facade.regions[path], width=width, height=height, children=children)
+        box = arrangement.facade.faces.get(path)
+        made[path] = region if box is None else replace(region, base=box.y0)
+    return made[arrangement.facade.root.symbol]
 
 
-def _exact(region: Region, width: float, height: float) -> Region:
-    """Return the region at exactly this size, its children scaled by rounding errors at most to tile it."""
-    if region.split is None:
-        return replace(region, width=width, height=height)
-    axis = AXIS[region.split]
-    size, across = (width, height) if axis == 0 else (height, width)
-    total = sum((child.width, child.height)[axis] for child in region.children)
-    factor = size / total
-    made: dict[str, Region] = {}
-    for child in region.children:
-        if child.symbol not in made:
-            along = (child.width, child.height)[axis] * factor
-            made[child.symbol] = _exact(child, along, across) if axis == 0 else _exact(child, across, along)
-    return replace(
-        region, width=width, height=height, children=tuple(made[child.symbol] for child in region.children)
-    )
+def _exact(arrangement: Arrangement, values: Sequence[Floats]) -> dict[str, tuple[float, float]]:
+    """Return the size of every region: children tile their parent, scaled by rounding errors at most."""
+    facade = arrangement.facade
+    sizes = {facade.root.symbol: (float(values[0][0]), float(values[1][0]))}
+    for path in arrangement.frames:  # parents first
+        own = sizes[path]
+        word, split = arrangement.words.get(path, ()), facade.regions[path].split
+        if split is None or split == "faces":
+            sizes |= {p: (b.width, b.height) for p, b in facade.faces.items() if split == "faces"}
+            continue
+        axis = AXIS[split]
+        along = {s: value(arrangement.frames[f"{path}/{s}"].extent[axis], values[axis]) for s in word}
+        factor = own[axis] / sum(along[symbol] for symbol in word) if word else 1.0
+        for symbol, size in along.items():
+            exact = (size * factor, own[1]) if axis == 0 else (own[0], size * factor)
+            sizes[f"{path}/{symbol}"] = exact
+    return sizes

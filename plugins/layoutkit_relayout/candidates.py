@@ -190,7 +190,10 @@ class Candidates:
     def _reach(self, members: Sequence[str]) -> float:
         """Return a length that none of the members can pass."""
         axis = self.model.axis(members[0])
-        return min(self.size[axis], *(self.model.hull(member, axis)[1] for member in members))
+        return min(
+            min(self.model.frame(member, self.size)[axis], self.model.hull(member, axis)[1])
+            for member in members
+        )
 
     def _range(self, group: WordGroup, letter: str, members: Sequence[str], comfort: float) -> Interval:
         paths = ((m, f"{m}/{group.symbols[m][letter]}") for m in members)

@@ -98,10 +98,14 @@ class Choir:
 
     def _base(self, path: str, axis: int) -> str:
         """Return the outermost region that has the same place along an axis as a composite region."""
-        above = path.rpartition("/")[0]
-        while above and self.model.axis(above) != axis:
+        above, faces = path.rpartition("/")[0], self.model.facade.faces
+        while above and self.model.axis(above) != axis and path not in faces:
             path, above = above, above.rpartition("/")[0]
-        return path
+        if path not in faces or axis == 0:
+            return path
+        # Faces that begin and end at the same heights are one place.
+        ends = faces[path].y0, faces[path].y1
+        return next(face for face, box in faces.items() if (box.y0, box.y1) == ends)
 
     def partners(self, group: WordGroup) -> frozenset[WordGroup]:
         """Return the groups, itself among them, whose words have to meet the group's, directly or not."""

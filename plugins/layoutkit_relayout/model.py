@@ -65,6 +65,7 @@ class Model:
         self.group_of = {path: group for group in self.groups for path in group.members}
         self._bounds, self._shapes = _own_sizes(facade, self.constraints)
         self._hulls: dict[tuple[str, int, float], Interval] = {}
+        self._contents: dict[tuple[str, frozenset[str], tuple[float, float]], Interval] = {}
         self._closed_words: dict[str, dict[str, tuple[str, ...]]] = {}
 
     def at(self, size: tuple[float, float]) -> Model:
@@ -87,7 +88,7 @@ class Model:
         """Return how many instances of a region can stand in its parent, and may."""
         parent = rule.path.rpartition("/")[0]
         axis = self.axis(parent)
-        longest = min(size[axis], self.hull(parent, axis)[1])
+        longest = min(self.frame(parent, size)[axis], self.hull(parent, axis)[1])
         region = self.facade.regions[parent]
         allowed = rule.most.at(longest / (region.width, region.height)[axis])
         narrowest = max(self.hull(rule.path, axis)[0], 1e-9 * longest)
@@ -187,6 +188,9 @@ class Model:
             How many standard deviations each size may be off its centre; infinite: as far as its bounds.
         """
         key = (path, axis, comfort)
+        if path in self.facade.faces:
+            box = self.facade.faces[path]
+            return (box.width, box.width) if axis == 0 else (box.height, box.height)
         if key not in self._hulls:
             own = self._own(path, comfort) if axis_of(self.facade, path) == axis else ANY
             self._hulls[key] = meet(own, self._inner(path, axis, comfort))
@@ -208,8 +212,8 @@ class Model:
 
     def _inner(self, path: str, axis: int, comfort: float) -> Interval:
         region = self.facade.regions[path]
-        if region.split is None:
-            return ANY
+        if region.split is None or (region.split == "faces" and axis == 1):
+            return ANY  # faces are of any height, whatever that of the others
         group = self.group_of[path]
         inner = [
             self.hull(f"{path}/{group.symbols[path][letter]}", axis, comfort) for letter in group.letters
@@ -223,20 +227,45 @@ class Model:
         always = [inner[group.letters.index(letter)] for letter in group.always(path)]
         return reduce(meet, always, (min(lows), max(highs)))
 
-    def content(self, path: str, counted: frozenset[str]) -> Interval:
-        """Return least and greatest number of counted regions in one region of the path, itself included."""
-        own = float(path in counted)
+    def frame(self, path: str, size: tuple[float, float]) -> tuple[float, float]:
+        """Return width and height of what a region stands in: the layout's, or its face's on a building."""
+        for face, box in self.facade.faces.items():
+            if path == face or path.startswith(f"{face}/"):
+                return box.width, box.height
+        return size
+
+    def content(self, path: str, counted: frozenset[str], size: tuple[float, float]) -> Interval:
+        """Return least and greatest number of counted regions in one region of the path, itself included.
+
+        Parameters
+        ----------
+        size
+            Width and height of the layout: no region has room for more.
+        """
+        key = (path, counted, size)
+        if key not in self._contents:
+            own = float(path in counted)
+            low, high = self._content(path, counted, size)
+            self._contents[key] = own + low, own + high
+        return self._contents[key]
+
+    def _content(self, path: str, counted: frozenset[str], size: tuple[float, float]) -> Interval:
         region = self.facade.regions[path]
         if region.split is None or not any(other.startswith(f"{path}/") for other in counted):
-            return own, own
+            return 0.0, 0.0
         group = self.group_of[path]
-        inner = [self.content(f"{path}/{group.symbols[path][letter]}", counted) for letter in group.letters]
+        paths = [f"{path}/{group.symbols[path][letter]}" for letter in group.letters]
+        inner = [self.content(child, counted, size) for child in paths]
         if group.forced is not None:
             word = [inner[group.letters.index(letter)] for letter in group.forced]
-            return own + sum(low for low, _ in word), own + sum(high for _, high in word)
-        machine = group.machine((path,))
+            return sum(low for low, _ in word), sum(high for _, high in word)
+        machine, axis = group.machine((path,)), self.axis(path)
         least = shortest(machine, _summed(machine, group, [low for low, _ in inner]))
-        return own + least, own + longest(machine, _summed(machine, group, [high for _, high in inner]))
+        most = longest(machine, _summed(machine, group, [high for _, high in inner]))
+        length = min(self.frame(path, size)[axis], self.hull(path, axis)[1])
+        narrowest = [max(self.hull(child, axis)[0], 1e-9 * length) for child in paths]
+        dense = max(high / width for (_, high), width in zip(inner, narrowest, strict=True))
+        return least, min(most, dense * length * (1 + 1e-9))
 
     def weights(self, group: WordGroup, machine: Machine) -> Floats:
         """Return the weight of each letter in each state: its share of what may follow, by its frequency.

@@ -84,6 +84,10 @@ class Outlook:
             path = pending.pop()
             if path in self.words:
                 inner = {f"{path}/{s}": n for s, n in Counter(self.words[path]).items()}
+                if self.model.facade.faces and path == root:
+                    found |= {own: hulls[own] for own in inner}
+                    pending += inner
+                    continue
                 found |= _shared(found[path], {p: hulls[p] for p in inner}, inner, self.model.axis(path))
                 pending += inner
         return found
@@ -103,7 +107,8 @@ class Outlook:
                 inner = [(found[f"{path}/{s}"], n) for s, n in Counter(self.words[path]).items()]
                 total = sum(h[axis][0] * n for h, n in inner), sum(h[axis][1] * n for h, n in inner)
                 hulls[axis] = meet(hulls[axis], total)
-                hulls[1 - axis] = reduce(meet, (h[1 - axis] for h, _ in inner), hulls[1 - axis])
+                if not (self.model.facade.faces and path == model.facade.root.symbol):
+                    hulls[1 - axis] = reduce(meet, (h[1 - axis] for h, _ in inner), hulls[1 - axis])
             found[path] = hulls[0], hulls[1]
         return found
 
@@ -112,7 +117,9 @@ class Outlook:
         low = high = 0.0
         for member in (m for m in group.members if m in self.lengths and m not in self.words):
             if times := self._times(member, rule.path):
-                inside = self.model.content(f"{member}/{group.symbols[member][letter]}", rule.counted)
+                inside = self.model.content(
+                    f"{member}/{group.symbols[member][letter]}", rule.counted, self.size
+                )
                 low, high = low + times * inside[0], high + times * inside[1]
         return low, high
 
@@ -138,7 +145,7 @@ class Outlook:
         if apart is not None and self.model.group_of.get(path) is apart:
             return 0.0, 0.0
         own = float(path in counted)
-        low, high = self.model.content(path, counted)
+        low, high = self.model.content(path, counted, self.size)
         return low - own, high - own
 
     def _ends(self, rule: Counts) -> Interval:
@@ -155,11 +162,14 @@ def _shared(
 ) -> dict[str, Sizes]:
     """Return the sizes that parts of a region can have, given the sizes of the whole."""
     low = sum(hulls[path][axis][0] * n for path, n in times.items())
-    high = sum(hulls[path][axis][1] * n for path, n in times.items())
+    tops = {path: hulls[path][axis][1] * n for path, n in times.items()}
+    high = sum(top for top in tops.values() if math.isfinite(top))
+    endless = [path for path, top in tops.items() if math.isinf(top)]
     found: dict[str, Sizes] = {}
     for path, number in times.items():
         least, most = hulls[path][axis]
-        others = high - most * number if math.isfinite(high) else math.inf
+        # What the others can take up at most: without end only if one of them can.
+        others = math.inf if set(endless) - {path} else high - (0.0 if endless else tops[path])
         rest = (whole[axis][0] - others) / number, (whole[axis][1] - (low - least * number)) / number
         along, across = meet((least, most), rest), meet(whole[1 - axis], hulls[path][1 - axis])
         found[path] = (along, across) if axis == 0 else (across, along)

@@ -269,9 +269,11 @@ class _Descent:
         choir = self.search.candidates.choir
         stage, axis = choir.stage(group), self.model.axis(group.members[0])
         length = preview[group.members[0]][axis] if group.members[0] in preview else 0.0
-        if stage == self.model.facade.root.symbol:
-            length = self.search.size[axis]
-        if question.given is not None or stage is None or not length:
+        if question.given is not None or stage is None:
+            return
+        if stage == self.model.facade.root.symbol or stage in self.model.facade.faces:
+            length = self.model.frame(stage, self.search.size)[axis]
+        if not length:
             return
         open_ = {group: question}
         for other in sorted(choir.partners(group) - {group}, key=self.model.groups.index):

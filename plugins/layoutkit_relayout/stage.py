@@ -75,7 +75,7 @@ class Relayout(Stage):
         from layoutkit_relayout.search import Search
 
         start = time.perf_counter()
-        size = (options.width.of(facade.root.width), options.height.of(facade.root.height))
+        size = layout_size(facade, options.width, options.height)
         search = Search(Model(facade), size, BACKENDS)
         for index in range(options.first, options.first + options.count):
             found = search.variation(options.seed, index, options.node_limit)
@@ -90,9 +90,17 @@ class Relayout(Stage):
                     facade,
                     seed=options.seed,
                     index=index,
+                    mass=None if facade.building is None else facade.building.mass,
                 )
                 yield _checked(layout, seconds)
             start = time.perf_counter()
+
+
+def layout_size(facade: Facade, width: Measure, height: Measure) -> tuple[float, float]:
+    """Return width and height of layouts: what is asked for; a building's mass gives its own."""
+    if facade.faces:
+        return max(box.x1 for box in facade.faces.values()), max(box.y1 for box in facade.faces.values())
+    return width.of(facade.root.width), height.of(facade.root.height)
 
 
 def _checked(layout: Layout, seconds: float) -> Outcome:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from layoutkit.constraints import Constraint, Size
+from layoutkit.constraints import Constraint, Instances, Size
 from layoutkit.constraints import Sequence as SequenceConstraint
 from layoutkit.constraints.defaults import InputWord
+from layoutkit.constraints.expansion import sequences_of
+from layoutkit.constraints.generated import Generator
 from layoutkit.constraints.generators import framed
 from layoutkit.constraints.size import input_size
 from layoutkit.constraints.view import LayoutView
@@ -83,13 +85,19 @@ def alone(facade: Facade, members: Iterable[Member], least: float = FLOOR) -> Fa
     """
     held: list[Constraint] = []
     for member in members:
-        for constraint in member.constraints:
-            if isinstance(constraint, SequenceConstraint):
-                constraint = replace(constraint, within=member.regions)
-            elif isinstance(constraint, InputWord):
-                word = Word.parse(" ".join(["⊢", *facade.regions[constraint.path].word, "⊣"]))
-                constraint = SequenceConstraint(within=(constraint.path,), word=word)
-            held.append(constraint)
+        kinds = {type(constraint) for constraint in member.constraints}
+        if any(issubclass(kind, SequenceConstraint | Generator) for kind in kinds):
+            (region,) = member.regions
+            held += [replace(sequence, within=(region,)) for sequence in sequences_of(facade)[region]]
+        elif kinds == {InputWord}:
+            (region,) = member.regions
+            word = Word.parse(" ".join(["⊢", *facade.regions[region].word, "⊣"]))
+            held.append(SequenceConstraint(within=(region,), word=word))
+        else:
+            held += member.constraints
+    # What may differ from place to place still may.
+    varied = (c for c in facade.constraints if isinstance(c, Instances))
+    held += [replace(c, min=None, max=None, weight=None) for c in varied]
     decided = {path for c in held if isinstance(c, SequenceConstraint) for path in c.within}
     for path, region in facade.regions.items():
         if region.split and path not in decided:

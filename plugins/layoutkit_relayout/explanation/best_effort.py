@@ -66,6 +66,7 @@ def mildest(facade: Facade, units: Sequence[Unit], ways: Iterable[Way], otherwis
     return otherwise if best is None or broken(best.root) > broken(otherwise) else best.root
 
 
-def as_layout(facade: Facade, root: Region, seed: int) -> Layout:
+def as_layout(facade: Facade, root: Region, name: str, seed: int) -> Layout:
     """Return regions as a layout that says in its name what it is."""
-    return Layout(f"{facade.name}-best-effort", facade.units, root, facade, seed=seed)
+    mass = None if facade.building is None else facade.building.mass
+    return Layout(f"{facade.name}-{name}", facade.units, root, facade, seed=seed, mass=mass)

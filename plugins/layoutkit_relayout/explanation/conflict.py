@@ -15,6 +15,8 @@ from layoutkit_relayout.explanation.judge import Judge
 from layoutkit_relayout.explanation.units import Unit, without
 
 Infeasible = Callable[[Sequence[Unit]], bool]
+#: Answers that cannot be told at a glance until a conflict is left as wide as it is.
+_PATIENCE = 10
 #: What of each unit takes part in a conflict.
 Parts = dict[Unit, tuple[Constraint, ...]]
 Split = Callable[[Constraint, Facade], list[Constraint]]
@@ -112,8 +114,23 @@ def _narrowed(judge: Judge, parts: Parts, split: Split) -> Parts:
             origins[whole[-1]] = unit
     split_up = [piece for piece in origins if piece not in whole]
     if split_up and judge.settle([*whole, *split_up]).status == "infeasible":
-        split_up = quickxplain(lambda some: judge.glance([*whole, *some]).status == "infeasible", split_up)
+        split_up = quickxplain(_patient(judge, whole), split_up)
     found: Parts = {}
     for piece in [*whole, *split_up]:
         found[origins[piece]] = (*found.get(origins[piece], ()), *piece.constraints)
     return {unit: found[unit] for unit in parts if unit in found}
+
+
+def _patient(judge: Judge, held: Sequence[Unit]) -> Infeasible:
+    """Return a test whether units cannot hold beside others, that stops looking where it rarely can tell."""
+    doubts = 0
+
+    def infeasible(units: Sequence[Unit]) -> bool:
+        nonlocal doubts
+        if doubts >= _PATIENCE:
+            return False
+        status = judge.glance([*held, *units]).status
+        doubts += status == "limit"
+        return status == "infeasible"
+
+    return infeasible

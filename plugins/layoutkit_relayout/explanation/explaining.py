@@ -64,7 +64,7 @@ def explained(judge: Judge, suspects: Suspects = ()) -> Explanation:
     ways = [_ways(judge, units, found, one, sizes) if complete else sizes for one in found]
     conflicts = tuple(_told(facade, one, own) for one, own in zip(found, ways, strict=True))
     root = grown(judge, left) if verdict.root is None else _best(judge, found, ways, verdict.root)
-    effort = None if root is None else as_layout(facade, root, judge.seed)
+    effort = None if root is None else as_layout(facade, root, "best-effort", judge.seed)
     return Explanation(judge.size, conflicts, complete, effort)
 
 

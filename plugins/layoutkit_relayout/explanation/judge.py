@@ -12,7 +12,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
-from layoutkit.constraints import Constraint
 from layoutkit.constraints import Sequence as SequenceConstraint
 from layoutkit.constraints.defaults import InputWord
 from layoutkit.constraints.sequence import covered
@@ -57,8 +56,17 @@ class Witness:
     _kept: dict[Unit, bool] = field(default_factory=dict)
 
     @cached_property
+    def _layout(self) -> Layout:
+        return Layout("witness", self.facade.units, self.root, self.facade)
+
+    @cached_property
     def _view(self) -> LayoutView:
-        return LayoutView(Layout("witness", self.facade.units, self.root, self.facade), self.facade)
+        return LayoutView(self._layout, self.facade)
+
+    @property
+    def sound(self) -> bool:
+        """Whether it keeps the rules of every layout, which no constraint states."""
+        return all(violation.constraint is not None for violation in self._layout.violations())
 
     def keeps(self, unit: Unit) -> bool:
         """Tell whether the layout keeps all constraints of a unit."""
@@ -102,7 +110,7 @@ class Judge:
         self._verdicts: dict[frozenset[Unit], tuple[Verdict, int]] = {}
         self._others: dict[Size, Judge] = {size: self}
         if facade.building is None:
-            self._admit(_scaled(facade.root, *size))
+            self._admit(Witness(facade, _scaled(facade.root, *size)))
 
     def at(self, size: Size) -> Judge:
         """Return a judge of the same facade at another size; each is made once."""
@@ -152,31 +160,33 @@ class Judge:
                 return Verdict("found", witness.root)
         return None
 
-    def _admit(self, root: Region) -> None:
-        witness = Witness(self.facade, root)
-        if witness.keeps(self.always):
-            self.witnesses.insert(0, witness)
-
     def _search(self, units: Sequence[Unit], node_limit: int) -> Verdict:
         """Look whether the input's words will do where any would; then for others."""
-        constraints = flat(units)
-        free = free_regions(self.facade, units)
-        if free:
-            helped = self._run((*constraints, *(InputWord(path=path) for path in free)), node_limit)
+        if free := free_regions(self.facade, units):
+            words = [Unit.of(InputWord(path=path)) for path in free]
+            helped = self._run([*units, *words], node_limit)
             if helped.status == "found":
                 return helped
-        return self._run(constraints, node_limit)
+        return self._run(units, node_limit)
 
-    def _run(self, constraints: Sequence[Constraint], node_limit: int) -> Verdict:
+    def _run(self, units: Sequence[Unit], node_limit: int) -> Verdict:
         self.searched += 1
-        model = Model(self.facade, (*self.always.constraints, *constraints))
+        model = Model(self.facade, (*self.always.constraints, *flat(units)))
         try:
             found = Search(model, self.size, BACKENDS).variation(self.seed, 0, node_limit)
         except TooManyStates:
             return Verdict("limit")
-        if found.root is not None:
-            self._admit(found.root)
-        return Verdict(found.status, found.root, found.nodes)
+        if found.root is None:
+            return Verdict(found.status, nodes=found.nodes)
+        witness = Witness(self.facade, found.root)
+        self._admit(witness)
+        # What the checker does not pass shows nothing, whoever found it.
+        shown = witness in self.witnesses and all(witness.keeps(unit) for unit in units)
+        return Verdict("found", found.root, found.nodes) if shown else Verdict("limit", nodes=found.nodes)
+
+    def _admit(self, witness: Witness) -> None:
+        if witness.sound and witness.keeps(self.always):
+            self.witnesses.insert(0, witness)
 
 
 def _scaled(region: Region, width: float, height: float) -> Region:

@@ -25,7 +25,7 @@ from layoutkit_relayout.explanation.units import Unit, without
 #: Sizes that are tried for the facade, as multiples of the one asked for, beside the input's own.
 _SIZES = (2.0, 0.5)
 #: Times that a run of regions is repeated at most, and how many arrangements are tried.
-_MOST_TIMES, _MOST_EDITED = 8, 400
+_MOST_TIMES, _MOST_EDITED = 8, 160
 #: The rank of arrangements that have nothing to do with the input's.
 FAR_FETCHED = 3
 
@@ -76,7 +76,12 @@ def in_order(ways: Iterable[Way]) -> list[Way]:
 
 
 def other_sizes(judge: Judge, units: Sequence[Unit]) -> list[Way]:
-    """Return, for each axis, the nearest size of the facade that settles all conflicts, if one is found."""
+    """Return, for each axis, the nearest size of the facade that settles all conflicts, if one is found.
+
+    A building has the size of its mass, and no other.
+    """
+    if judge.facade.building is not None:
+        return []
     return [way for axis in (0, 1) for way in _resized(judge, units, axis)]
 
 
@@ -215,7 +220,7 @@ def _permitted(judge: Judge, rest: Sequence[Unit], unit: Unit, number: int) -> W
 
 
 def edited(word: Sequence[str]) -> list[tuple[str, ...]]:
-    """Return words that come of one by leaving out or repeating a run: some hundreds at most.
+    """Return words that come of one by leaving out or repeating a run: the first ones, of many.
 
     At least half of the word stays.
     """

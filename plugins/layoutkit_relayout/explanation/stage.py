@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.hooks.specs import Outcome, Stage
-from layoutkit.model import Facade, Layout, Measure
+from layoutkit.model import Facade, Measure
 
 if TYPE_CHECKING:
     from layoutkit_relayout.explanation.judge import Judge
@@ -49,21 +49,23 @@ class Explain(Stage):
         """Yield one outcome: a layout that was found, or an explanation of why there is none."""
         from layoutkit.sizing.threads import single_threaded
         from layoutkit_relayout.explanation.judge import Judge
+        from layoutkit_relayout.stage import layout_size
 
         start = time.perf_counter()
-        size = (options.width.of(facade.root.width), options.height.of(facade.root.height))
+        size = layout_size(facade, options.width, options.height)
         with single_threaded():
             yield _outcome(Judge(facade, size, options.seed), options.node_limit, start)
 
 
 def _outcome(judge: Judge, node_limit: int, start: float) -> Outcome:
+    from layoutkit_relayout.explanation.best_effort import as_layout
     from layoutkit_relayout.explanation.explaining import explained
     from layoutkit_relayout.explanation.report import diagnostics
 
     facade = judge.facade
     verdict = judge.first(node_limit)
     if verdict.root is not None:
-        layout = Layout(f"{facade.name}-witness", facade.units, verdict.root, facade, seed=judge.seed)
+        layout = as_layout(facade, verdict.root, "witness", judge.seed)
         return Outcome("found", layout, (), time.perf_counter() - start)
     explanation = explained(judge)
     found = diagnostics(explanation, facade)
