@@ -15,7 +15,8 @@ from typing import ClassVar
 from ortools.sat.python import cp_model
 
 from benchmarks.contenders import Attempt, Maker, Size
-from benchmarks.cpsat_model import GRID, Program
+from benchmarks.cpsat_ties import whole_program
+from benchmarks.cpsat_words import GRID, Program
 from benchmarks.stated import Stated, tree
 from layoutkit.model import Facade
 
@@ -38,7 +39,7 @@ class CpSat:
 
     def maker(self, facade: Facade, size: Size) -> Maker:
         """Return the program at one size."""
-        return _Solving(Program(Stated(facade), size), size, self.seconds)
+        return _Solving(whole_program(Stated(facade), size), size, self.seconds)
 
 
 @dataclass(frozen=True)

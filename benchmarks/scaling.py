@@ -2,9 +2,9 @@
 
     python -m benchmarks.scaling [--terminals 100,1000,10000,100000] [--seeds 8] [--json FILE]
 
-Each facade is laid out anew at its own size, in a process of its own whose greatest memory is read at the end.
-Storeys, columns and the number of distinct symbols grow together. The last line is the slope of a line through
-the logarithms of terminals and milliseconds: 1 is linear.
+Each facade is laid out anew at its own size, in a process of its own whose greatest memory is read at the
+end. Storeys, columns and the number of distinct symbols grow together. The last line is the slope of a line
+through the logarithms of terminals and milliseconds: 1 is linear.
 """
 
 from __future__ import annotations

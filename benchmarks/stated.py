@@ -161,8 +161,8 @@ class Stated:
         for rule in (r for kind in _KINDS for r in kind.word_rules(_of(kind, constraints), facade)):
             if isinstance(rule, Admits):
                 automata[rule.path] = rule.automaton
-            elif isinstance(rule, Mirrored):
-                self.partners[rule.path] = rule.partners
+            elif isinstance(rule, Mirrored):  # without instances, each symbol has one partner
+                self.partners[rule.path] = {symbol: others[0] for symbol, others in rule.partners.items()}
             elif isinstance(rule, Counts):
                 counts.append(rule)
         self.counts = tuple(counts)

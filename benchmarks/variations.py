@@ -15,7 +15,7 @@ import math
 import statistics
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -40,7 +40,7 @@ class Measured:
     Attributes
     ----------
     firsts
-        The first variation at each size, which makes what later ones use.
+        Of a contender that keeps something for later variations: the first at each size.
     trials
         All others.
     """
@@ -63,12 +63,18 @@ class Measured:
     @property
     def mean(self) -> float:
         """Mean milliseconds over the successes; not a number where there is none."""
-        return statistics.fmean(t.milliseconds for t in self.found) if self.found else math.nan
+        return _mean(t.milliseconds for t in self.found)
 
     @property
     def least(self) -> float:
         """The mean over the successes or, where there is none, the least it can be: that of giving up."""
-        return self.mean if self.found else statistics.fmean(t.milliseconds for t in self.trials)
+        return self.mean if self.found else _mean(t.milliseconds for t in self.trials)
+
+
+def _mean(values: Iterable[float]) -> float:
+    """Return the mean; not a number where there is nothing."""
+    kept = list(values)
+    return statistics.fmean(kept) if kept else math.nan
 
 
 def main() -> None:
@@ -82,7 +88,8 @@ def main() -> None:
             print(_text(report[-1]), flush=True)
     print(table(report))
     if arguments.json:
-        arguments.json.write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+        text = json.dumps(_without_nan(report), indent=1, allow_nan=False)
+        arguments.json.write_text(f"{text}\n", encoding="utf-8")
 
 
 def _arguments() -> argparse.Namespace:
@@ -123,9 +130,10 @@ RIVALS: Mapping[str, Callable[[float], Contender]] = {"baseline": _baseline, "cp
 def measured_design(name: str, arguments: argparse.Namespace, rivals: Sequence[str]) -> dict[str, Any]:
     """Run all contenders on one design; return the figures."""
     facade = DESIGNS[name]()
-    ours = measure(facade, Ours(arguments.node_limit), arguments.seeds)
+    ours = measure(facade, Ours(arguments.node_limit), arguments.seeds, len(SCALES))
     others = {
-        rival: measure(facade, RIVALS[rival](arguments.time_limit), arguments.rival_seeds) for rival in rivals
+        rival: measure(facade, RIVALS[rival](arguments.time_limit), arguments.rival_seeds, 0)
+        for rival in rivals
     }
     paper = TABLE[name].milliseconds
     return {
@@ -151,17 +159,13 @@ def _compile_milliseconds(facade: Facade) -> float:
     return 1000 * (time.perf_counter() - start)
 
 
-def measure(facade: Facade, contender: Contender, seeds: int) -> Measured:
-    """Make variations at all sizes in turn."""
+def measure(facade: Facade, contender: Contender, seeds: int, apart: int) -> Measured:
+    """Make variations at all sizes in turn, of which the first ones may stand apart."""
     sizes: list[Size] = [(facade.root.width * x, facade.root.height * y) for x, y in SCALES]
     makers = [contender.maker(facade, size) for size in sizes]
-    firsts: list[Trial] = []
-    trials: list[Trial] = []
-    for seed in range(seeds):
-        turn = seed % len(sizes)
-        found = trial(facade, sizes[turn], makers[turn], seed)
-        (firsts if seed < len(sizes) else trials).append(found)
-    return Measured(contender.name, tuple(firsts), tuple(trials))
+    turns = ((seed, seed % len(sizes)) for seed in range(seeds))
+    trials = [trial(facade, sizes[turn], makers[turn], seed) for seed, turn in turns]
+    return Measured(contender.name, tuple(trials[:apart]), tuple(trials[apart:]))
 
 
 def _figures(measured: Measured) -> dict[str, Any]:
@@ -171,14 +175,23 @@ def _figures(measured: Measured) -> dict[str, Any]:
         "trials": len(measured.firsts) + len(measured.trials),
         "success": measured.success,
         "statuses": dict(Counter(t.status for t in (*measured.firsts, *measured.trials))),
-        "first": statistics.fmean(t.milliseconds for t in measured.firsts),
+        "first": _mean(t.milliseconds for t in measured.firsts),
         "mean": measured.mean,
         "median": statistics.median(times) if times else math.nan,
         "max": max(times, default=math.nan),
-        "checking": statistics.fmean(t.checking for t in measured.found) if times else math.nan,
-        "terminals": statistics.fmean(t.terminals for t in measured.found) if times else math.nan,
+        "checking": _mean(t.checking for t in measured.found),
+        "terminals": _mean(t.terminals for t in measured.found),
         "failed": [asdict(t) for t in failed],
     }
+
+
+def _without_nan(data: Any) -> Any:
+    """Return data with None for what is not a number: JSON has no word for it."""
+    if isinstance(data, Mapping):
+        return {key: _without_nan(value) for key, value in data.items()}
+    if isinstance(data, list | tuple):
+        return [_without_nan(value) for value in data]
+    return None if isinstance(data, float) and not math.isfinite(data) else data
 
 
 def _text(row: Mapping[str, Any]) -> str:

@@ -61,7 +61,9 @@ def _face_faults(building: PlacedRegion, facade: Facade) -> Iterator[Violation]:
     """Compare each face with what the mass asks for; that all are there, in order, is a matter of words."""
     whole = (max(box.x1 for box in facade.faces.values()), max(box.y1 for box in facade.faces.values()))
     parts = [(building, Box(0.0, 0.0, *whole))]
-    parts += [(p, facade.faces[p.symbol_path]) for p in place_children(building) if p.symbol_path in facade.faces]
+    parts += [
+        (p, facade.faces[p.symbol_path]) for p in place_children(building) if p.symbol_path in facade.faces
+    ]
     for placed, wanted in parts:
         (left, foot, _, _), region = placed.box, placed.region
         actual = Box(left, foot, left + region.width, foot + region.height)

@@ -69,7 +69,9 @@ class Frequency(Constraint):
         """Return the range; percentages of the count in the input's first such region."""
         first = facade.places[original(self.within)][0].path
         # Copies that vary are in no input.
-        inside = [p for path in self.counted(facade) for p in facade.places.get(path, ())]
+        inside = [
+            p for path in {original(path) for path in self.counted(facade)} for p in facade.places[path]
+        ]
         count = sum(placed.path.startswith(f"{first}/") for placed in inside)
         least, most = (
             Bound(default, False) if end is None else Bound(end.of(count), end.relative)

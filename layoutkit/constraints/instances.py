@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import defaultdict
 from collections.abc import Iterator
 from collections.abc import Sequence as ListOf
 from dataclasses import dataclass
@@ -16,6 +17,8 @@ from layoutkit.constraints.view import LayoutView, alike
 from layoutkit.constraints.word_rules import Bound, Variants, WordRule
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, Measure, Region, RegionSet, Violation
+from layoutkit.sizing.arrangement import AXIS, Arrangement
+from layoutkit.sizing.rules import Range, SizeRule
 
 if TYPE_CHECKING:
     from typing import Self
@@ -96,6 +99,25 @@ class Instances(Constraint):
         for constraint in constraints:
             for path in constraint.paths(facade):
                 yield Variants(path, *constraint.ends(facade, path), (constraint,))
+
+    def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
+        """Yield the sizes of parents at which a relative range admits the instances that their words name."""
+        facade = arrangement.facade
+        own = frozenset(map(original, self.paths(facade)))
+        for parent, word in arrangement.words.items():
+            split = facade.regions[parent].split or "columns"
+            axis, size = AXIS[split], facade.regions[parent].extent(split)
+            names: defaultdict[str, set[str]] = defaultdict(set)
+            for symbol in word:
+                names[original(f"{parent}/{symbol}")].add(symbol)
+            for path in (path for path in names if path in own):
+                least, most = self.ends(facade, path)
+                form, number = arrangement.extent(parent, axis), len(names[path])
+                if least.relative and least.value > 0:
+                    yield Range(axis, form, 0.0, number / least.value * size, self, (parent,))
+                if most.relative and number > 1:
+                    low = number / most.value * size if most.value > 0 else math.inf
+                    yield Range(axis, form, min(low, 1e9 * size), math.inf, self, (parent,))
 
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every parent with too few or too many different layouts of a region in it."""

@@ -64,7 +64,9 @@ class Symmetry(Constraint):
         """Yield a mirrored word for each region."""
         for constraint in constraints:
             for path in constraint.of:
-                yield Mirrored(path, constraint.partners(facade, path), (constraint,))
+                yield Mirrored(
+                    path, {a: (b,) for a, b in constraint.partners(facade, path).items()}, (constraint,)
+                )
 
     def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
         """Yield the pairs of each region."""

@@ -114,11 +114,11 @@ class Mirrored:
     Attributes
     ----------
     partners
-        The partner of every symbol, its own for most.
+        The partners of every symbol: itself alone, for most.
     """
 
     path: str
-    partners: Mapping[str, str]
+    partners: Mapping[str, tuple[str, ...]]
     origin: tuple[Constraint, ...]
 
 

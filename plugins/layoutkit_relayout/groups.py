@@ -28,14 +28,14 @@ class WordGroup:
     rules
         For each member, the rules on its word: they count where the layout reaches that member.
     partners
-        For each member whose word reads the same backwards, the partner of each letter.
+        For each member whose word reads the same backwards, the partners of each letter.
     """
 
     members: tuple[str, ...]
     symbols: Mapping[str, Mapping[str, str]]
     letters: tuple[str, ...]
     rules: Mapping[str, Sequence[Automaton]]
-    partners: Mapping[str, Sequence[Mapping[str, str]]]
+    partners: Mapping[str, Sequence[Mapping[str, tuple[str, ...]]]]
 
     @cached_property
     def _machines(self) -> dict[object, Machine]:
@@ -50,13 +50,15 @@ class WordGroup:
                 found[id(automaton), tuple(symbols.items())] = automaton, symbols
         return list(found.values())
 
-    def _mirror(self, members: Iterable[str]) -> Mapping[str, str] | None:
+    def _mirror(self, members: Iterable[str]) -> Mapping[str, tuple[str, ...]] | None:
         """Return the partners that all mirrored members agree on; None where there is none mirrored."""
         mirrors = [partners for member in members for partners in self.partners[member]]
         if not mirrors:
             return None
-        first = mirrors[0]
-        return {a: b for a, b in first.items() if all(other.get(a) == b for other in mirrors)}
+        return {
+            letter: tuple(b for b in others if all(b in mirror.get(letter, ()) for mirror in mirrors))
+            for letter, others in mirrors[0].items()
+        }
 
     def machine(self, members: Sequence[str]) -> Machine:
         """Return the words that the rules of some members accept, counts aside."""
@@ -99,7 +101,7 @@ class WordGroup:
 def word_groups(facade: Facade, rules: Sequence[WordRule]) -> list[WordGroup]:
     """Return the groups of all composite regions, in document order."""
     admitted: defaultdict[str, list[Automaton]] = defaultdict(list)
-    mirrors: defaultdict[str, list[Mapping[str, str]]] = defaultdict(list)
+    mirrors: defaultdict[str, list[Mapping[str, tuple[str, ...]]]] = defaultdict(list)
     for rule in rules:
         if isinstance(rule, Admits):
             admitted[rule.path].append(rule.automaton)
@@ -142,7 +144,7 @@ def _group(
     members: tuple[str, ...],
     letters: Mapping[str, Mapping[str, str]],
     admitted: Mapping[str, Sequence[Automaton]],
-    mirrors: Mapping[str, Sequence[Mapping[str, str]]],
+    mirrors: Mapping[str, Sequence[Mapping[str, tuple[str, ...]]]],
 ) -> WordGroup:
     symbols = {member: letters[member] for member in members}
     shared = tuple(letter for letter in symbols[members[0]] if all(letter in symbols[m] for m in members))
@@ -150,7 +152,7 @@ def _group(
     for member in members:
         own = {symbol: letter for letter, symbol in symbols[member].items()}
         partners[member] = [
-            {own[a]: own[b] for a, b in mirror.items() if a in own and b in own}
+            {own[a]: tuple(own[b] for b in others if b in own) for a, others in mirror.items() if a in own}
             for mirror in mirrors.get(member, ())
         ]
     rules = {member: admitted.get(member) or [Anything()] for member in members}

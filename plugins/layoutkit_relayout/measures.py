@@ -72,7 +72,7 @@ class Measures:
                 return Measured(None, sized.conflict)
             values.append(sized.values)
         root = unnamed(region_tree(prepared.arrangement, values))
-        if not enough(root, self.model.least_instances, CONSTRAINT_TOLERANCE * max(self.size)):
+        if not enough(root, self.model.demands, self.model.facade, CONSTRAINT_TOLERANCE * max(self.size)):
             return Measured(None)  # they came out alike: another draw might not
         return Measured(root)
 

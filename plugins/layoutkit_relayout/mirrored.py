@@ -16,11 +16,11 @@ import numpy as np
 from layoutkit_relayout.machine import MOST_STATES, Machine, TooManyStates, trim
 
 _State = tuple[int, frozenset[int]]
-#: What marks the letter in the middle of a word.
-_MIDDLE = "|"
+#: What stands between two letters in the name of a pair.
+_BETWEEN = "|"
 
 
-def mirrored(machine: Machine, partners: Mapping[str, str]) -> Machine:
+def mirrored(machine: Machine, partners: Mapping[str, tuple[str, ...]]) -> Machine:
     """Return a machine for the words that read the same backwards, by their first halves.
 
     Its letters stand for a letter and its partner at the other end, or for the one in the middle.
@@ -30,7 +30,7 @@ def mirrored(machine: Machine, partners: Mapping[str, str]) -> Machine:
     machine
         The words to choose from.
     partners
-        The partner of each letter, its own for most; letters without one are in no such word.
+        The partners of each letter, itself alone for most; letters without one are in no such word.
 
     Raises
     ------
@@ -39,9 +39,9 @@ def mirrored(machine: Machine, partners: Mapping[str, str]) -> Machine:
     """
     if machine.empty:
         return machine
-    paired = [letter for letter in machine.letters if letter in partners]
-    middles = [letter for letter in paired if partners[letter] == letter]
-    letters = (*paired, *(f"{letter}{_MIDDLE}" for letter in middles))
+    paired = [(near, far) for near in machine.letters for far in partners.get(near, ())]
+    middles = [near for near, far in paired if near == far]
+    letters = (*(f"{near}{_BETWEEN}{far}" for near, far in paired), *middles)
     column = {letter: number for number, letter in enumerate(machine.letters)}
     before = _predecessors(machine)
     start: _State = (0, frozenset(map(int, np.flatnonzero(machine.accepting))))
@@ -53,9 +53,9 @@ def mirrored(machine: Machine, partners: Mapping[str, str]) -> Machine:
         state, ends = pending.popleft()
         accepting.append(state in ends)
         row = []
-        for letter in paired:
-            after = int(machine.next[state, column[letter]])
-            open_ = frozenset(e for end in ends for e in before[column[partners[letter]]].get(end, ()))
+        for near, far in paired:
+            after = int(machine.next[state, column[near]])
+            open_ = frozenset(e for end in ends for e in before[column[far]].get(end, ()))
             reached = (after, open_)
             if after >= 0 and open_ and reached not in numbers:
                 if len(numbers) >= MOST_STATES:
@@ -68,7 +68,7 @@ def mirrored(machine: Machine, partners: Mapping[str, str]) -> Machine:
         rows.append(row)
     following = np.array([*rows, [-1] * len(letters)], dtype=np.int64)
     following[following == -2] = len(rows)
-    spelled = (*((letter, partners[letter]) for letter in paired), *((letter,) for letter in middles))
+    spelled = (*paired, *((letter,) for letter in middles))
     return replace(trim(letters, following, np.array([*accepting, True])), spelled=spelled)
 
 

@@ -43,13 +43,15 @@ class Model:
         The word groups, and which one each composite path belongs to.
     counts
         The frequency rules.
+    demands
+        How many different instances regions have to have.
     exact
         Whether no layout is lost by what the model leaves out.
     """
 
     def __init__(self, facade: Facade, constraints: Sequence[Constraint] | None = None) -> None:
         own = effective_constraints(facade) if constraints is None else tuple(constraints)
-        self._state(Varied(facade, own, tuple(word_rules(facade, own)), True))
+        self._state(Varied(facade, own, tuple(word_rules(facade, own)), (), True))
         self._at: dict[tuple[int, ...], Model] = {}
 
     def _state(self, stated: Varied) -> None:
@@ -60,6 +62,7 @@ class Model:
             stated.exact,
             rules,
         )
+        self.demands = stated.demands
         self.counts = tuple(rule for rule in rules if isinstance(rule, Counts))
         self.groups = tuple(word_groups(facade, rules))
         self.group_of = {path: group for group in self.groups for path in group.members}
@@ -93,16 +96,7 @@ class Model:
         allowed = rule.most.at(longest / (region.width, region.height)[axis])
         narrowest = max(self.hull(rule.path, axis)[0], 1e-9 * longest)
         room = min(longest / narrowest, longest_count(self.group_of[parent], parent, rule.path))
-        return max(1, int(min(allowed, room, MOST_INSTANCES) + 1e-6))
-
-    @cached_property
-    def least_instances(self) -> dict[str, float]:
-        """How many different instances a region has to have, where it is more than one, by its path."""
-        found: dict[str, float] = {}
-        for rule in self.rules:
-            if isinstance(rule, Variants) and rule.least.value > 1:
-                found[rule.path] = max(found.get(rule.path, 1.0), rule.least.value)
-        return found
+        return int(max(1.0, min(allowed, room, MOST_INSTANCES)) + 1e-6)
 
     def axis(self, path: str) -> int:
         """Return the axis that a composite region splits."""

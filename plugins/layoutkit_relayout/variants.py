@@ -110,6 +110,8 @@ class Varied:
 
     Attributes
     ----------
+    demands
+        How many different instances regions have to have.
     exact
         Whether no layout is lost.
     """
@@ -117,6 +119,7 @@ class Varied:
     facade: Facade
     constraints: tuple[Constraint, ...]
     rules: tuple[WordRule, ...]
+    demands: tuple[Variants, ...]
     exact: bool
 
 
@@ -141,17 +144,15 @@ def varied(
     named = VariedFacade(**own_fields, aliases=aliases)
     spoken = tuple(other for constraint in constraints for other in spread(constraint, aliases))
     found = [other for rule in rules for other in _rewritten(rule, aliases)]
-    least: dict[str, float] = {}
-    for rule in rules:
-        if isinstance(rule, Variants):
-            own = 1.0 if rule.least.relative else rule.least.value
-            least[rule.path] = max(least.get(rule.path, 1.0), own)
-    for path, names in aliases.items():
-        parent = path.rpartition("/")[0]
+    demands = tuple(rule for rule in rules if isinstance(rule, Variants) and rule.least.value > 0)
+    for path in most:
+        parent, _, symbol = path.rpartition("/")
+        least = [d.least.value for d in demands if d.path == path and not d.least.relative]
         for alias in aliases_of(parent, aliases):
-            found.append(Admits(alias, InOrder(names, math.ceil(least[path] - 1e-9)), ()))
+            in_order = InOrder(aliases.get(path, (symbol,)), math.ceil(max(least, default=1.0) - 1e-9))
+            found.append(Admits(alias, in_order, ()))
     exact = not any(isinstance(rule, Agree) and _uneven(rule, aliases) for rule in rules)
-    return Varied(replace(named, constraints=spoken), spoken, tuple(found), exact)
+    return Varied(replace(named, constraints=spoken), spoken, tuple(found), demands, exact)
 
 
 def _rewritten(rule: WordRule, aliases: Aliases) -> Iterator[WordRule]:
@@ -176,14 +177,12 @@ def _rewritten(rule: WordRule, aliases: Aliases) -> Iterator[WordRule]:
             counted = frozenset(alias for own in rule.counted for alias in aliases_of(own, aliases))
             yield replace(rule, path=path, counted=counted)
         elif isinstance(rule, Mirrored):
-            partners = {
-                one: other
-                for symbol, partner in rule.partners.items()
-                for one, other in zip(
-                    names.get(symbol, (symbol,)), names.get(partner, (partner,)), strict=False
-                )
+            own = {
+                one: tuple(other for partner in partners for other in names.get(partner, (partner,)))
+                for symbol, partners in rule.partners.items()
+                for one in names.get(symbol, (symbol,))
             }
-            yield Mirrored(path, partners, rule.origin)
+            yield Mirrored(path, own, rule.origin)
 
 
 def _names_in(path: str, aliases: Aliases) -> dict[str, tuple[str, ...]]:
@@ -218,16 +217,16 @@ def unnamed(root: Region) -> Region:
     return plain(root)
 
 
-def enough(root: Region, least: Mapping[str, float], tolerance: float) -> bool:
+def enough(root: Region, demands: Sequence[Variants], facade: Facade, tolerance: float) -> bool:
     """Tell whether instances that are to differ do so, in every region that has some.
 
     Parameters
     ----------
     root
         The tree, instances under their common names.
-    least
-        How many different ones each region that may vary has to have, by its path.
     """
+    if not demands:
+        return True
     pending = [(root.symbol, root)]
     while pending:
         path, region = pending.pop()
@@ -237,6 +236,10 @@ def enough(root: Region, least: Mapping[str, float], tolerance: float) -> bool:
             if not any(alike(child, other, tolerance) for other in known):
                 known.append(child)
                 pending.append((f"{path}/{child.symbol}", child))
-        if any(len(found) < least.get(f"{path}/{symbol}", 1) - 1e-9 for symbol, found in own.items()):
-            return False
+        for demand in demands:
+            parent, _, symbol = demand.path.rpartition("/")
+            if parent == path and symbol in own and region.split is not None:
+                growth = region.extent(region.split) / facade.regions[path].extent(region.split)
+                if len(own[symbol]) < demand.least.at(growth) - 1e-6:
+                    return False
     return True

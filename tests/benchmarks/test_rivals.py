@@ -20,9 +20,9 @@ from layoutkit.constraints.sequence import Sequence
 from layoutkit.model import Facade, Layout, place
 
 cpsat = pytest.importorskip("benchmarks.cpsat")
-cpsat_model = pytest.importorskip("benchmarks.cpsat_model")
+cpsat_words = pytest.importorskip("benchmarks.cpsat_words")
 
-RIVALS = {"baseline": PaperBaseline(30.0), "cpsat": cpsat.CpSat(30.0)}
+RIVALS = {"baseline": PaperBaseline(120.0), "cpsat": cpsat.CpSat(120.0)}
 both = pytest.mark.parametrize("rival", RIVALS.values(), ids=RIVALS)
 
 
@@ -57,10 +57,10 @@ def test_layouts_keep_every_constraint(rival: Contender, width: float, mirrored:
 
 
 @both
-@pytest.mark.parametrize("name", ["shop", "house"])
-def test_designs_are_solved(rival: Contender, name: str, designs: Mapping[str, Facade]) -> None:
-    size = (0.8 * designs[name].root.width, 0.8 * designs[name].root.height)
-    assert trial(designs[name], size, rival.maker(designs[name], size), 1).status == "found"
+def test_a_design_is_solved(rival: Contender, designs: Mapping[str, Facade]) -> None:
+    design = designs["house"]
+    size = (0.8 * design.root.width, 0.8 * design.root.height)
+    assert trial(design, size, rival.maker(design, size), 1).status == "found"
 
 
 @both
@@ -79,8 +79,8 @@ def test_seeds_of_the_baseline_give_different_layouts_and_each_the_same() -> Non
 
 def test_a_size_between_millimetres_is_refused() -> None:
     design = front()
-    with pytest.raises(cpsat_model.OffGrid, match=r"6\.8001 m is no"):
-        cpsat_model.Program(Stated(design), (6.8001, 6.0))
+    with pytest.raises(cpsat_words.OffGrid, match=r"6\.8001 m is no"):
+        cpsat_words.Program(Stated(design), (6.8001, 6.0))
 
 
 def test_constraints_that_rivals_do_not_know_are_refused() -> None:

@@ -85,7 +85,9 @@ def test_each_region_by_itself() -> None:
 
 def test_the_word_rule_names_every_partner() -> None:
     assert list(Symmetry.word_rules([PAIRED], facade(PAIRED))) == [
-        Mirrored("R", {"A": "A", "B": "E", "C": "C", "D": "D", "E": "B"}, (PAIRED,))
+        Mirrored(
+            "R", {a: (b,) for a, b in {"A": "A", "B": "E", "C": "C", "D": "D", "E": "B"}.items()}, (PAIRED,)
+        )
     ]
 
 

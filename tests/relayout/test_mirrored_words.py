@@ -45,7 +45,7 @@ def words(machine: Machine) -> list[tuple[str, ...]]:
 def test_halves_spell_the_palindromes(pieces: list[Piece], partners: dict[str, str]) -> None:
     same = {letter: letter for letter in LETTERS}
     machine = build(LETTERS, [(Covering(tuple(pieces)), same)])
-    halved = mirrored(machine, partners)
+    halved = mirrored(machine, {one: (other,) for one, other in partners.items()})
     spelled = [halved.spell(word) for word in words(halved)]
     assert len(spelled) == len(set(spelled))
     expected = {

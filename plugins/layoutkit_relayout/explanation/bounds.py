@@ -29,8 +29,12 @@ def ends_of(constraint: Constraint) -> tuple[End, ...]:
 
 
 def with_end(constraint: Constraint, end: End, measure: Measure | None) -> Constraint:
-    """Return the constraint with another end."""
-    return replace(constraint, **{end: measure})  # type: ignore[arg-type]  # an attribute of the kind
+    """Return the constraint with another end, or without it."""
+    changed = replace(constraint, **{end: measure})  # type: ignore[arg-type]  # an attribute of the kind
+    if measure is None and isinstance(changed, Size):
+        # Other distributions, and a bias, need both ends.
+        return replace(changed, distribution="normal", bias=0.0)
+    return changed
 
 
 def by_end(constraint: Constraint, facade: Facade) -> list[Constraint]:

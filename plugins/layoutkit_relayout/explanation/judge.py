@@ -27,7 +27,9 @@ Status = Literal["found", "infeasible", "limit"]
 Size = tuple[float, float]
 
 #: Words tried at a glance, for most answers, and where all hangs on one.
-GLANCE, LOOK, STUDY = 8, 60, 600
+GLANCE, LOOK, STUDY = 8, 60, 400
+#: Words tried in vain, where all hung on it, until that is given up.
+ALL_STUDIES = 800
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +105,7 @@ class Judge:
     def __init__(self, facade: Facade, size: Size, seed: int = 0) -> None:
         self.facade, self.size, self.seed = facade, size, seed
         self.units = units_of(facade)
-        self._limits = GLANCE, LOOK, STUDY
+        self._limits, self._left = (GLANCE, LOOK, STUDY), ALL_STUDIES
         self.always = Unit(always := background(facade), always)
         self.witnesses: list[Witness] = []
         self.asked = self.searched = 0
@@ -129,7 +131,7 @@ class Judge:
         """
         verdict = self._answer(self.units, node_limit)
         effort = verdict.nodes if verdict.status == "infeasible" else 0
-        self._limits = max(GLANCE, 2 * effort), max(LOOK, 4 * effort), max(STUDY, 8 * effort)
+        self._limits = effort + GLANCE, max(LOOK, 2 * effort), max(STUDY, 4 * effort)
         return verdict
 
     def glance(self, units: Iterable[Unit]) -> Verdict:
@@ -141,8 +143,11 @@ class Judge:
         return self._answer(list(units), self._limits[1])
 
     def settle(self, units: Iterable[Unit]) -> Verdict:
-        """Return whether units can hold together, if that can be told at all."""
-        return self._answer(list(units), self._limits[2])
+        """Return whether units can hold together, if that can be told at all; not often at such length."""
+        verdict = self._answer(list(units), max(self._limits[1], min(self._limits[2], self._left)))
+        if verdict.status == "limit":
+            self._left -= verdict.nodes
+        return verdict
 
     def _answer(self, units: Sequence[Unit], node_limit: int) -> Verdict:
         self.asked += 1

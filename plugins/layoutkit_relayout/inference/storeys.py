@@ -13,6 +13,10 @@ from layoutkit_relayout.inference.labels import FLOOR, GROUNDED, OUTSIDE, labels
 from layoutkit_relayout.inference.lockstep import locksteps
 from layoutkit_relayout.inference.patterns import told
 
+#: Where there are more kinds of floors, their order is variety enough, and further instances of each would
+#: multiply what the search has to tell apart.
+_FEW_KINDS = 4
+#: What an order means for floors.
 _MEANING = {
     "kept": "upper floors may repeat, with what is between them",
     "matching": "upper floors may repeat or be left out, with what is between them",
@@ -54,7 +58,7 @@ def storeys(facade: Facade, freedom: Freedom) -> Iterator[Constraint]:
             numbers = _free(found, free)
             yield from told(facade, [path], _words(found, numbers, freedom), _MEANING[freedom.order])
             names = dict.fromkeys(f"{path}/{found.floors[i]}" for i in numbers)
-            if names and freedom.instances > 1:
+            if 0 < len(names) <= _FEW_KINDS and freedom.instances > 1:
                 comment = "floors of one kind need not be alike"
                 most = Measure(float(freedom.instances))
                 yield Instances(of=RegionSet.union(names), max=most, comment=comment)

@@ -1,0 +1,118 @@
+"""How long a step takes when a facade is dragged to another size, its words kept.
+
+    python -m benchmarks.resizing [--steps 200] [--json FILE]
+
+Ninety-six windows stand in eight storeys, in line from storey to storey. The width goes from the input's up
+to 130 % and down to 85 %, the height along with it; each step sizes the whole facade anew, and every layout
+is checked (which is no part of the step's time). Aim: 5 ms a step.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import statistics
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks.contenders import Size
+from benchmarks.designs.storeys import storeys
+from layoutkit.model import Facade, Layout, Region, place
+from layoutkit.sizing.backends import BACKENDS
+from layoutkit.sizing.threads import single_threaded
+from layoutkit_relayout.measures import Measures
+from layoutkit_relayout.model import Model
+
+#: Milliseconds that a step should take at most.
+AIM = 5.0
+#: QPs that each axis of a step may cost.
+_PROBLEMS = 60
+
+Resize = Callable[[Size], Region | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Dragged:
+    """What was measured, in milliseconds.
+
+    Attributes
+    ----------
+    failed
+        Steps without a layout, with one that breaks a constraint, or with other words.
+    """
+
+    windows: int
+    steps: int
+    failed: int
+    first: float
+    mean: float
+    median: float
+    slowest: float
+
+    @property
+    def met(self) -> bool:
+        """Whether every step kept everything, in the time aimed at."""
+        return self.failed == 0 and self.slowest <= AIM
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description="time a step of resizing")
+    parser.add_argument("--steps", type=int, default=200)
+    parser.add_argument("--json", type=Path, help="write the figures to this file")
+    arguments = parser.parse_args()
+    with single_threaded():
+        found = dragged(storeys(), arguments.steps)
+    print(
+        f"{found.windows} windows, {found.steps} steps: first {found.first:.2f}, mean {found.mean:.2f}, "
+        f"median {found.median:.2f}, slowest {found.slowest:.2f} ms; {found.failed} failed; "
+        f"aim of {AIM:g} ms {'met' if found.met else 'not met'}"
+    )
+    if arguments.json:
+        arguments.json.write_text(json.dumps(asdict(found), indent=1) + "\n", encoding="utf-8")
+
+
+def dragged(facade: Facade, steps: int) -> Dragged:
+    """Drag a facade to and fro."""
+    words = {path: region.word for path, region in facade.regions.items() if region.split}
+    resize = keeping(facade, words)
+    times, failed = [], 0
+    for step in range(steps):
+        share = 1.075 + 0.225 * math.sin(2 * math.pi * step / steps - 0.34)
+        size = (facade.root.width * share, facade.root.height * (1 + (share - 1) / 2))
+        start = time.perf_counter()
+        root = resize(size)
+        times.append(1000 * (time.perf_counter() - start))
+        failed += root is None or not _kept(facade, root, words)
+    windows = sum("Window" in placed.region.labels for placed in place(facade.root))
+    rest = times[1:]
+    return Dragged(
+        windows, steps, failed, times[0], statistics.fmean(rest), statistics.median(rest), max(rest)
+    )
+
+
+def keeping(facade: Facade, words: dict[str, tuple[str, ...]]) -> Resize:
+    """Return what lays the facade out anew at any size, with these words.
+
+    Each step starts from the same initial sizes, so that a drag is smooth.
+    """
+    measures = Measures(Model(facade), (facade.root.width, facade.root.height), BACKENDS)
+
+    def resize(size: Size) -> Region | None:
+        measures.size = size
+        return measures.whole(words, np.random.default_rng(0), _PROBLEMS).root
+
+    return resize
+
+
+def _kept(facade: Facade, root: Region, words: dict[str, tuple[str, ...]]) -> bool:
+    same = all(p.region.word == words[p.symbol_path] for p in place(root) if p.region.split)
+    return same and not Layout(facade.name, facade.units, root, facade).violations()
+
+
+if __name__ == "__main__":
+    main()
