@@ -548,6 +548,14 @@ _SEARCH: tuple[Code, ...] = (
         "Write them into the document with `layoutkit infer`, and edit them there.",
         _NOTE,
     ),
+    Code(
+        "LK603",
+        "soft constraint left out",
+        "A soft constraint cannot be kept at the size asked for; the layouts do without it.",
+        "Hard constraints, or soft ones of greater weight, that leave no room for it.",
+        "Nothing is needed; to insist on it, delete its weight, or raise it.",
+        _NOTE,
+    ),
 )
 
 _USAGE: tuple[Code, ...] = (

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from typing import ClassVar
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.diagnostics import Diagnostic
+from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Facade, Layout, Measure
+
+if TYPE_CHECKING:
+    from layoutkit_relayout.wishes import Granted
 
 #: Words tried for one variation before the search gives up.
 NODE_LIMIT = 2000
@@ -71,12 +74,12 @@ class Relayout(Stage):
 
     def _variations(self, facade: Facade, options: RelayoutOptions) -> Iterator[Outcome]:
         from layoutkit.sizing.backends import BACKENDS
-        from layoutkit_relayout.model import Model
-        from layoutkit_relayout.search import Search
+        from layoutkit_relayout.wishes import granted
 
         start = time.perf_counter()
         size = layout_size(facade, options.width, options.height)
-        search = Search(Model(facade), size, BACKENDS)
+        found_out = granted(facade, size, BACKENDS, options.node_limit)
+        search, remarks = found_out.search, tuple(_left_out(found_out))
         for index in range(options.first, options.first + options.count):
             found = search.variation(options.seed, index, options.node_limit)
             seconds = time.perf_counter() - start
@@ -92,8 +95,35 @@ class Relayout(Stage):
                     index=index,
                     mass=None if facade.building is None else facade.building.mass,
                 )
-                yield _checked(layout, seconds)
+                yield _with(remarks, _checked(layout, seconds))
+                remarks = ()
             start = time.perf_counter()
+
+
+def _left_out(found: Granted) -> Iterator[Diagnostic]:
+    """Yield a note of every soft constraint that no layout of this size keeps."""
+    for constraint in found.refused:
+        yield Diagnostic(
+            "LK603",
+            f"this soft constraint cannot be kept at this size: {constraint}",
+            constraint.place,
+            "it gives way to the hard ones and to soft ones of greater weight",
+            Severity.NOTE,
+            "search",
+        )
+    for constraint in found.undecided:
+        yield Diagnostic(
+            "LK603",
+            f"this soft constraint is left out, as no layout with it was found in time: {constraint}",
+            constraint.place,
+            "raise the node limit",
+            Severity.NOTE,
+            "search",
+        )
+
+
+def _with(remarks: tuple[Diagnostic, ...], outcome: Outcome) -> Outcome:
+    return replace(outcome, diagnostics=(*remarks, *outcome.diagnostics))
 
 
 def layout_size(facade: Facade, width: Measure, height: Measure) -> tuple[float, float]:
