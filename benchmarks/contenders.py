@@ -89,8 +89,8 @@ class Trial:
     ----------
     status
         The contender's, or ``wrong`` for a layout that the checker does not pass.
-    milliseconds, checking
-        Search and sizing; the check of the finished layout.
+    milliseconds, processor, checking
+        Search and sizing, by the clock and by the processor; the check of the finished layout.
     terminals
         How many the layout has; 0 where there is none.
     """
@@ -99,22 +99,23 @@ class Trial:
     seed: int
     status: str
     milliseconds: float
+    processor: float
     checking: float
     terminals: int
 
 
 def trial(facade: Facade, size: Size, maker: Maker, seed: int) -> Trial:
     """Make one variation, and check it with the checker that every layout has to pass."""
-    start = time.perf_counter()
+    start, busy = time.perf_counter(), time.process_time()
     attempt = maker.attempt(seed)
-    milliseconds = 1000 * (time.perf_counter() - start)
+    times = 1000 * (time.perf_counter() - start), 1000 * (time.process_time() - busy)
     if attempt.root is None:
-        return Trial(size, seed, attempt.status, milliseconds, 0.0, 0)
+        return Trial(size, seed, attempt.status, *times, 0.0, 0)
     layout = Layout(f"{facade.name}-{seed}", facade.units, attempt.root, facade, seed=seed)
     start = time.perf_counter()
     status = "wrong" if layout.violations() else "found"
     checking = 1000 * (time.perf_counter() - start)
-    return Trial(size, seed, status, milliseconds, checking, terminals_of(attempt.root))
+    return Trial(size, seed, status, *times, checking, terminals_of(attempt.root))
 
 
 def terminals_of(root: Region) -> int:

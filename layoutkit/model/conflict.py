@@ -38,7 +38,7 @@ class Member:
     regions
         Symbol paths of the regions in question, where the constraint speaks of more than these.
     subject, demand
-        What it speaks of and what it asks there, in the user's names: ``size of Facade/B``, ``at most 3.00 m``.
+        What it speaks of and what it asks, in the user's names: ``size of Facade/B``, ``at most 3.00 m``.
     by_default
         Whether it holds because no constraint says otherwise.
     needed
@@ -91,8 +91,8 @@ class Conflict:
     short
         By how much they miss, in sizes and in counts; empty where it is no question of degree.
     remedies
-        The mildest first. Each settles this conflict; where there are several, it was tried with those members
-        left out that the others can best do without.
+        The mildest first. Each settles this conflict; where there are several, it was tried with those
+        members left out that the others can best do without.
     spared
         Number of the member that this conflict can best do without: what the best effort is made without.
     """

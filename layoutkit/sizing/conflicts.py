@@ -12,6 +12,9 @@ import numpy as np
 from layoutkit.sizing.qp import Floats
 from layoutkit.sizing.rules import UNIT, Range
 
+#: Of more rules than this, no minimal set is looked for.
+_MOST_RULES = 150
+
 
 @dataclass(frozen=True, eq=False)
 class Contradiction:
@@ -32,9 +35,12 @@ class Contradiction:
     def minimal(self) -> tuple[Range, ...]:
         """Rules none of which can be left out, those of outer regions before those of inner ones.
 
-        All of the rules, where their contradiction is too slight to be shown by themselves.
+        All of the rules, where their contradiction is too slight to be shown by themselves, or where they are
+        so many that looking into it costs more than it saves.
         """
         ranked = sorted(self.rules, key=_depth)
+        if len(ranked) > _MOST_RULES:
+            return tuple(ranked)
         rows = _Rows(ranked, self.size)
         everything = list(range(len(ranked)))
         if not rows.contradict(everything):

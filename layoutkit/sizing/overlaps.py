@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from layoutkit.sizing.arrangement import Slot
+from layoutkit.sizing.arrangement import Slot, add
 from layoutkit.sizing.qp import Floats
-from layoutkit.sizing.rules import Aligned
+from layoutkit.sizing.rules import Aligned, Range
 
 #: Regions overlap, or are out of line, from this share of the facade's size on.
 OVERLAP = 2e-7
@@ -29,7 +29,7 @@ class Pair:
 
     overlap: float
     sure: bool
-    number: int
+    number: tuple[int, int]
     first: Slot = field(compare=False)
     second: Slot = field(compare=False)
     rule: Aligned = field(compare=False)
@@ -41,6 +41,15 @@ class _Meeting(NamedTuple):
     rule: Aligned
     first: Ints
     second: Ints
+
+
+class Lines(NamedTuple):
+    """Lines of slots that are to coincide: the numbers of their rules and slots, and which line it is."""
+
+    rule: Ints
+    first: Ints
+    second: Ints
+    share: Floats
 
 
 class Meetings:
@@ -72,30 +81,73 @@ class Meetings:
         ends
             Starts and stops, as shares of the facade's size.
         """
-        for meeting in self._rules:
-            yield from self._pairs(meeting, ends, OVERLAP)
+        for number, meeting in enumerate(self._rules):
+            i, j, overlap, smaller, gap = self._overlapping(meeting, ends)
+            for n in np.flatnonzero(gap > OVERLAP):
+                sure = bool(overlap[n] >= _SURE * smaller[n])
+                slots = self.slots[i[n]], self.slots[j[n]]
+                yield Pair(float(overlap[n]), sure, (-number, -int(n)), *slots, meeting.rule)
 
-    def likely(self, ends: Floats) -> Iterator[Pair]:
-        """Yield every pair that overlaps so far that it will surely have to be in line."""
-        for meeting in self._rules:
-            yield from (pair for pair in self._pairs(meeting, ends, -1.0) if pair.sure)
+    def likely(self, ends: Floats) -> Lines:
+        """Return the lines of every pair that overlaps so far that it will surely have to be in line."""
+        found = []
+        for number, meeting in enumerate(self._rules):
+            i, j, overlap, smaller, _ = self._overlapping(meeting, ends)
+            sure = overlap >= _SURE * smaller
+            found.append((number, i[sure], j[sure], meeting.rule.lines))
+        return self._lines(found)
 
-    def _pairs(self, meeting: _Meeting, ends: Floats, least: float) -> Iterator[Pair]:
-        """Yield the pairs that overlap, with a gap of more than `least` between their lines."""
+    def lines(self, pairs: Sequence[Pair]) -> Lines:
+        """Return the lines of some pairs."""
+        numbers = {id(slot): number for number, slot in enumerate(self.slots)}
+        rules = {id(meeting.rule): number for number, meeting in enumerate(self._rules)}
+        found = []
+        for pair in pairs:
+            i, j = (np.array([numbers[id(slot)]]) for slot in (pair.first, pair.second))
+            found.append((rules[id(pair.rule)], i, j, pair.rule.lines))
+        return self._lines(found)
+
+    @staticmethod
+    def _lines(found: Iterable[tuple[int, Ints, Ints, Sequence[float]]]) -> Lines:
+        parts = [(n, i, j, share) for n, i, j, shares in found for share in shares if len(i)]
+        if not parts:
+            nothing = np.zeros(0, np.int64)
+            return Lines(nothing, nothing, nothing, np.zeros(0))
+        return Lines(
+            np.concatenate([np.full(len(i), n) for n, i, _, _ in parts]),
+            np.concatenate([i for _, i, _, _ in parts]),
+            np.concatenate([j for _, _, j, _ in parts]),
+            np.concatenate([np.full(len(i), share) for _, i, _, share in parts]),
+        )
+
+    def ranges(self, lines: Lines) -> list[Range]:
+        """Return the rows that make lines coincide."""
+        found = []
+        for number, i, j, share in zip(*lines, strict=True):
+            rule, first, second = self._rules[number].rule, self.slots[i], self.slots[j]
+            form = add(first.line(share), second.line(share), -1.0)
+            found.append(Range(rule.axis, form, 0.0, 0.0, rule.origin, words_of(first, second)))
+        return found
+
+    def _overlapping(self, meeting: _Meeting, ends: Floats) -> tuple[Ints, Ints, Floats, Floats, Floats]:
+        """Return the slots of all pairs that overlap, by how much, the smaller size, and their lines' gap."""
         starts, stops = ends[: len(self.slots)], ends[len(self.slots) :]
         rule, first, second = meeting
         one, other = _candidates(starts, stops, first, second)
         i, j = first[one], second[other]
         overlap = np.minimum(stops[i], stops[j]) - np.maximum(starts[i], starts[j])
-        gap = np.zeros(len(one))
+        own = overlap > OVERLAP
+        i, j, overlap = i[own], j[own], overlap[own]
+        gap = np.zeros(len(i))
         for share in rule.lines:
             lines = (1 - share) * starts + share * stops
             gap = np.maximum(gap, np.abs(lines[i] - lines[j]))
-        smaller = np.minimum(stops[i] - starts[i], stops[j] - starts[j])
-        for n in np.flatnonzero((overlap > OVERLAP) & (gap > least)):
-            sure = bool(overlap[n] >= _SURE * smaller[n])
-            slots = rule.first[one[n]], rule.second[other[n]]
-            yield Pair(float(overlap[n]), sure, -int(n), *slots, rule)
+        return i, j, overlap, np.minimum(stops[i] - starts[i], stops[j] - starts[j]), gap
+
+
+def words_of(*slots: Slot) -> tuple[str, ...]:
+    """Return the composite regions whose words put slots where they are, the innermost of each."""
+    return tuple({slot.symbol_path.rpartition("/")[0]: None for slot in slots})
 
 
 def _candidates(starts: Floats, stops: Floats, first: Ints, second: Ints) -> tuple[Ints, Ints]:

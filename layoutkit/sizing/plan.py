@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from layoutkit.sizing.arrangement import Slot, add
+from layoutkit.sizing.arrangement import add
 from layoutkit.sizing.conflicts import Contradiction
+from layoutkit.sizing.overlaps import Ints, Lines, Meetings
 from layoutkit.sizing.qp import QP, Floats
 from layoutkit.sizing.rules import SIZE, UNIT, Form, Range, Target
 from layoutkit.sizing.substitution import Substitution
@@ -19,8 +19,6 @@ from layoutkit.sizing.substitution import Substitution
 DENSE = 300
 #: Rows differ by more than rounding from here on.
 _DIGITS = 9
-
-Ints = NDArray[np.int64]
 
 #: Stands for a row of constants that would have to be 0.
 _NEVER = Range(0, {}, 0.0, 0.0, None, ())
@@ -46,13 +44,15 @@ class Plan:
         What should be near the targets.
     targets
         The targets, in the rows' order.
+    meetings
+        What may have to be in line.
     slots
-        Starts of all aligned slots, then their ends.
+        Starts of all its slots, then their ends.
     rules
         The rules that bits stand for.
     count
         How many variables there are, free or not.
-    added
+    added, lines
         What was added to the rules: choices made on the way.
     """
 
@@ -65,10 +65,12 @@ class Plan:
     why: tuple[tuple[int, int], ...]
     pulls: Any
     targets: tuple[Target, ...]
+    meetings: Meetings
     slots: Any
     rules: tuple[Range, ...]
     count: int
     added: tuple[Range, ...] = ()
+    lines: tuple[Lines, ...] = ()
 
     def problem(self, size: float, drawn: Floats, weights: Floats) -> QP | Contradiction:
         """Return the QP for a size and a draw, in units of the size; a contradiction where a row is constant.
@@ -128,7 +130,18 @@ class Plan:
         for row, sign in rows:
             bits |= self.why[row][1 if sign > 0 else 0]
         own = [rule for number, rule in enumerate(self.rules) if bits >> number & 1]
-        return Contradiction((*own, *self.added), size)
+        lines = [row for lines in self.lines for row in self.meetings.ranges(lines)]
+        return Contradiction((*own, *self.added, *lines), size)
+
+    def in_line(self, lines: Lines) -> Plan:
+        """Return the plan with lines made to coincide."""
+        if not isinstance(self.rows, np.ndarray):
+            return self.with_rows(self.meetings.ranges(lines))
+        count = len(self.meetings.slots)
+        starts, stops, share = self.slots[:count], self.slots[count:], lines.share[:, None]
+        forms = (1 - share) * (starts[lines.first] - starts[lines.second])
+        forms += share * (stops[lines.first] - stops[lines.second])
+        return replace(self, lines=(*self.lines, lines))._with_zeros(forms)
 
     def with_rows(self, extra: Sequence[Range]) -> Plan:
         """Return the plan with further rules."""
@@ -140,8 +153,12 @@ class Plan:
         plan = plan._appended(forms[~equal], [rule for rule in extra if rule.least != rule.most])
         forms = forms[equal]
         forms[:, -1] -= [rule.least for rule in extra if rule.least == rule.most]
+        return plan._with_zeros(forms)
+
+    def _with_zeros(self, forms: Floats) -> Plan:
+        """Return the plan with some forms, over the free variables, all 0."""
         solved, pivots, wrong = _echelon(forms, self.free)
-        return plan._appended(wrong, [_NEVER] * len(wrong))._solved_for(solved, pivots)
+        return self._appended(wrong, [_NEVER] * len(wrong))._solved_for(solved, pivots)
 
     def _over_free(self, forms: Sequence[Form]) -> Any:
         """Return forms over the free variables, the size and the unit."""
@@ -223,7 +240,7 @@ def make_plan(
     count: int,
     ranges: Sequence[Range],
     targets: Sequence[Target],
-    slots: Sequence[Slot],
+    meetings: Meetings,
 ) -> Plan:
     """State the sizing of one axis over as few variables as its equalities leave.
 
@@ -231,8 +248,8 @@ def make_plan(
     ----------
     count
         How many variables there are.
-    slots
-        Those that rules put in line.
+    meetings
+        What may have to be in line.
     """
     substitution = Substitution()
     equalities = [
@@ -248,7 +265,7 @@ def make_plan(
     sparse = len(free) > DENSE
     basis, reasons = _basis(substitution, count, free, sparse)
     rows, least, most, why = _rows(ranges, left, basis, reasons, count, sparse)
-    ends = [*(s.start for s in slots), *(s.end for s in slots)]
+    ends = [*(s.start for s in meetings.slots), *(s.end for s in meetings.slots)]
     return Plan(
         axis,
         len(free),
@@ -259,6 +276,7 @@ def make_plan(
         why,
         _forms([t.form for t in targets], count, sparse) @ basis,
         tuple(targets),
+        meetings,
         _forms(ends, count, sparse) @ basis,
         tuple(ranges),
         count,

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from layoutkit.sizing.arrangement import Slot, add, value
+from layoutkit.sizing.arrangement import add, value
 from layoutkit.sizing.backends import polish
 from layoutkit.sizing.conflicts import Contradiction
-from layoutkit.sizing.overlaps import Meetings, Pair
-from layoutkit.sizing.plan import Plan, make_plan
+from layoutkit.sizing.overlaps import Meetings, Pair, words_of
+from layoutkit.sizing.plan import DENSE, Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Floats, Solution
 from layoutkit.sizing.rules import Aligned, Range, SizeRule, Target
 
@@ -63,13 +63,16 @@ class Axis:
         """The rules, and the pairs that likely overlap in line; None where there are none."""
         slots = self.meetings.slots
         ends = [value(s.start, self.nominal) for s in slots] + [value(s.end, self.nominal) for s in slots]
-        pairs = self.meetings.likely(np.array(ends) / self.nominal[0])
-        guess = tuple(row for pair in pairs for row in in_line(pair.rule, pair.first, pair.second))
-        return self._plan(guess) if guess else None
+        lines = self.meetings.likely(np.array(ends) / self.nominal[0])
+        if not len(lines.share):
+            return None
+        if len(self.nominal) > DENSE:  # equalities are best solved before there are arrays
+            return self._plan(self.meetings.ranges(lines))
+        return self.plan.in_line(lines)
 
     def _plan(self, guess: Sequence[Range]) -> Plan:
         ranges = [rule for rule in self.rules if isinstance(rule, Range)]
-        return make_plan(self.number, self.count, [*ranges, *guess], self.targets, self.meetings.slots)
+        return make_plan(self.number, self.count, [*ranges, *guess], self.targets, self.meetings)
 
 
 @dataclass
@@ -111,7 +114,7 @@ class Conflict:
     @cached_property
     def words(self) -> frozenset[str] | None:
         """Paths of the composite regions on whose words it hangs; None: of all."""
-        words = {path for pair in self.pairs for path in _words_of(pair.first, pair.second)}
+        words = {path for pair in self.pairs for path in words_of(pair.first, pair.second)}
         for contradiction in self.contradictions:
             if contradiction.words is None:
                 return None
@@ -183,7 +186,7 @@ class _Task:
                 undecided = True
             elif missed := self._out_of_line(way, found):
                 pairs.append(missed[0])
-                stack.append(_ways(way, missed))
+                stack.append(_ways(way, missed, self.meetings))
             else:
                 return Sized(way.values(found, self.size))
         return Sized(None, None if undecided else Conflict(tuple(failed), tuple(pairs)))
@@ -204,31 +207,17 @@ class _Task:
         return None
 
 
-def _ways(plan: Plan, pairs: Sequence[Pair]) -> Iterator[Plan]:
+def _ways(plan: Plan, pairs: Sequence[Pair], meetings: Meetings) -> Iterator[Plan]:
     """Yield plans that deal with the first pair; the last three leave nothing out."""
     sure = [pair for pair in pairs if pair.sure]
     if len(sure) > 1 or (sure and sure[0] is not pairs[0]):
-        yield plan.with_rows([row for pair in sure for row in in_line(pair.rule, pair.first, pair.second)])
+        yield plan.in_line(meetings.lines(sure))
     pair = pairs[0]
-    yield plan.with_rows(in_line(pair.rule, pair.first, pair.second))
+    yield plan.in_line(meetings.lines([pair]))
     for before, after in ((pair.first, pair.second), (pair.second, pair.first)):
         gap = add(after.start, before.end, -1.0)
-        words = _words_of(pair.first, pair.second)
+        words = words_of(pair.first, pair.second)
         yield plan.with_rows([Range(plan.axis, gap, 0.0, float("inf"), pair.rule.origin, words)])
-
-
-def in_line(rule: Aligned, first: Slot, second: Slot) -> tuple[Range, ...]:
-    """Return the rows that put two slots in line."""
-    words = _words_of(first, second)
-    return tuple(
-        Range(rule.axis, add(first.line(share), second.line(share), -1.0), 0.0, 0.0, rule.origin, words)
-        for share in rule.lines
-    )
-
-
-def _words_of(*slots: Slot) -> tuple[str, ...]:
-    """Return the composite regions whose words put the slots where they are, the innermost of each."""
-    return tuple({slot.symbol_path.rpartition("/")[0]: None for slot in slots})
 
 
 def minimum(problem: QP, backends: Sequence[Backend]) -> Solution:

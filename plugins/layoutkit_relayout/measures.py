@@ -76,20 +76,14 @@ class Measures:
             return Measured(None)  # they came out alike: another draw might not
         return Measured(root)
 
-    def preview(self, words: Words, problems: int) -> Mapping[str, tuple[float, float]] | Conflict | None:
-        """Size a partial choice of words: return the likely width and height of what has no word yet.
+    def preview(self, words: Words) -> Mapping[str, tuple[float, float]]:
+        """Return the likely width and height of what has no word yet, where words are chosen in part.
 
-        Returns a contradiction where the words cannot be sized, and None where that is not known.
+        Every region has its share of its parent, by what is inside it as far as that is known.
         """
         prepared = self._prepare(self.model.completed(self.model.with_forced(words)))
-        values = []
-        for axis, distributions in zip(prepared.axes, prepared.distributions, strict=True):
-            drawn = distributions.likeliest()
-            sized = size_axis(axis, self.size[axis.number], drawn, self.backends, Budget(problems))
-            if sized.values is None:
-                return sized.conflict
-            values.append(sized.values)
         arrangement = prepared.arrangement
+        values = [axis.nominal for axis in prepared.axes]
         return {
             path: (value(frame.extent[0], values[0]), value(frame.extent[1], values[1]))
             for path, frame in arrangement.frames.items()
@@ -111,12 +105,13 @@ class Measures:
             return self._prepared[key]
         arrangement = Arrangement(self.model.facade, words)
         rules = [*self.rules(arrangement), *arrangement.tilings]
+        natural = self._natural(arrangement)
         axes = [
             Axis(
                 n,
                 arrangement.variables[n],
                 [rule for rule in rules if rule.axis == n],
-                np.array(arrangement.nominal(n, self.size[n], self.model.centre)),
+                np.array(arrangement.nominal(n, self.size[n], natural.__getitem__)),
             )
             for n in (0, 1)
         ]
@@ -127,6 +122,23 @@ class Measures:
         if len(self._prepared) > _KEPT:
             self._prepared.popitem(last=False)
         return prepared
+
+    def _natural(self, arrangement: Arrangement) -> dict[str, float]:
+        """Return the likeliest size of each region along its parent's split: the sum of what is inside it."""
+        inside: dict[str, list[float]] = {}
+        found: dict[str, float] = {}
+        for path in reversed(arrangement.frames):  # children stand after their parents
+            parent = path.rpartition("/")[0]
+            axis = self.model.axis(parent) if parent else 0
+            own = inside.get(path, [0.0, 0.0])[axis]
+            found[path] = size = self.model.within(path, own) if own else self.model.centre(path)
+            if not parent:
+                continue
+            sums = inside.setdefault(parent, [0.0, 0.0])
+            sums[axis] += size * arrangement.words[parent].count(path.rpartition("/")[2])
+            across = inside.get(path, [0.0, 0.0])[1 - axis]
+            sums[1 - axis] = max(sums[1 - axis], across)
+        return found
 
     def rules(self, arrangement: Arrangement) -> list[SizeRule]:
         """Return all rules on an arrangement's sizes."""

@@ -200,9 +200,13 @@ class Model:
 
     def centre(self, path: str) -> float:
         """Return the size along its parent's split about which a region's sizes are drawn."""
-        least, most = self._bounds.get(path, ANY)
         centre = self._shapes[path][0] if path in self._shapes else input_size(self.facade, path)
-        return min(max(centre, least), most)
+        return self.within(path, centre)
+
+    def within(self, path: str, size: float) -> float:
+        """Return the size along its parent's split that is nearest to another, within a region's bounds."""
+        least, most = self._bounds.get(path, ANY)
+        return min(max(size, least), most)
 
     def _inner(self, path: str, axis: int, comfort: float) -> Interval:
         region = self.facade.regions[path]

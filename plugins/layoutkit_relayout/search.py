@@ -223,8 +223,6 @@ class _Descent:
             if question is None or not self.search.candidates.any(group, question):
                 return frozenset(range(self._dead_since(group)))
             preview = self._preview(group, question)
-            if isinstance(preview, Conflict):
-                return self._blame(preview)
             candidates = self._candidates(group, question, preview)
             self.levels.append(_Level(group, question, self._outlook.words, candidates, preview))
             following = self._advance()
@@ -233,7 +231,7 @@ class _Descent:
             words = following
             everyone = frozenset(range(len(self.levels)))
 
-    def _preview(self, group: WordGroup, question: Question) -> Preview | Conflict:
+    def _preview(self, group: WordGroup, question: Question) -> Preview:
         """Return the likely sizes of what has no word yet, for groups whose length is not given."""
         known = next((level.preview for level in reversed(self.levels) if level.preview), None)
         planned = any(group in level.plan for level in self.levels)
@@ -241,8 +239,7 @@ class _Descent:
             return known  # not quite what it would be now, but near enough
         if all(longest - shortest <= 1e-9 * longest for _, (shortest, longest) in question.members):
             return {}
-        found = self.search.measures.preview(self._outlook.words, _AHEAD)
-        return {} if found is None else found
+        return self.search.measures.preview(self._outlook.words)
 
     def _candidates(self, group: WordGroup, question: Question, preview: Preview) -> Iterator[Candidate]:
         """Yield words for a group: as planned, then together with groups that it has to meet, then any."""

@@ -49,8 +49,8 @@ class CannedMaker:
 
 
 def measured(*milliseconds: float, status: str = "found") -> Measured:
-    first = Trial((1.0, 1.0), 0, "found", 99.0, 0.0, 2)
-    trials = (Trial((1.0, 1.0), n, status, time, 0.0, 2) for n, time in enumerate(milliseconds, 1))
+    first = Trial((1.0, 1.0), 0, "found", 99.0, 98.0, 0.0, 2)
+    trials = (Trial((1.0, 1.0), n, status, time, time, 0.0, 2) for n, time in enumerate(milliseconds, 1))
     return Measured("any", (first,), tuple(trials))
 
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -120,6 +123,30 @@ def test_the_form_of_the_json(rivoli: Path, layoutkit: Any) -> None:
 
 def constraint(element: str, file: Path, line: int) -> dict[str, Any]:
     return {"kind": "size", "element": element, "place": {"file": str(file), "line": line, "column": 5}}
+
+
+def test_a_size_without_room_for_anything(rivoli: Path, tmp_path: Path, layoutkit: Any) -> None:
+    run = layoutkit("explain", rivoli, "--width", "0.1%", "-o", tmp_path / "out")
+    assert (run.code, run.out) == (3, "rivoli has no layout at 0.006 × 4 m\n")
+    assert "there is no room for any region" in run.err
+    assert "ask for a larger size" in run.err
+    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["explanation.json", "facade.xml"]
+
+
+def test_neither_hash_order_nor_process_shows(tmp_path: Path) -> None:
+    (tmp_path / "twice.xml").write_text(TWICE, encoding="utf-8")
+    source = "import sys; from layoutkit.cli.app import main; sys.exit(main(sys.argv[1:]))"
+    answers = []
+    for number in ("1", "2"):
+        folder = tmp_path / number
+        arguments = ["explain", "twice.xml", "--json", "-o", number]
+        environment = {**os.environ, "PYTHONHASHSEED": number}
+        done = subprocess.run(
+            [sys.executable, "-c", source, *arguments], cwd=tmp_path, env=environment, capture_output=True
+        )
+        assert done.returncode == 3
+        answers.append((done.stdout, {p.name: p.read_bytes() for p in sorted(folder.iterdir())}))
+    assert answers[0] == answers[1]
 
 
 def test_several_conflicts_are_drawn_together(tmp_path: Path, layoutkit: Any) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import pytest
 from conflicting import alone, helps, keeps
@@ -26,10 +27,11 @@ Case = tuple[str, Facade, tuple[float, float]]
 
 
 def impossible(first: int, count: int) -> Iterator[Case]:
-    """Yield tiny models of which it is proved that they have no layout."""
+    """Yield tiny models of which it is proved that they have no layout, without their soft constraints."""
     seed, found = first, 0
     while found < count:
         facade, size = tiny(seed)
+        facade = replace(facade, constraints=tuple(c for c in facade.constraints if not c.soft))
         if Search(Model(facade), size, BACKENDS).variation(0, 0, 5_000).status == "infeasible":
             found += 1
             yield f"tiny({seed})", facade, size
@@ -101,7 +103,7 @@ def test_impossible_tiny_models(chunk: int) -> None:
     with single_threaded():
         for case in impossible(2_000 * chunk, 6):
             judge(case, tally)
-    assert tally["minimal"] >= 0.7 * tally["conflicts"], tally
+    assert tally["minimal"] >= 0.5 * tally["conflicts"], tally
     assert tally["judged by brute force"] >= 1, tally
     assert tally["remedies"] >= tally["conflicts"], tally
 

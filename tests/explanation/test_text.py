@@ -133,7 +133,7 @@ def test_long_lists_are_cut() -> None:
     many = Size(of=RegionSet.parse(f"{of} | R/a | R/b | R/c"), min=Measure(2.0), place=Place("f", 7))
     unit = Unit.of(many)
     regions = [f"R/{letter}" for letter in "abcdef"]
-    assert wording.subject(unit, regions, facade) == "size of R/a, R/b and 4 more"
+    assert wording.subject(unit, regions) == "size of R/a, R/b and 4 more"
     assert (
         wording.widening(unit, "min", Measure(1.0), facade)
         == "lower the minimum of the size in line 7 to 1.00 m"
@@ -146,11 +146,11 @@ def test_long_lists_are_cut() -> None:
 def test_kinds_are_told_by_their_attributes() -> None:
     facade = row("ab", {"a": 1.0, "b": 1.0})
     frequency = Unit.of(Frequency(of=RegionSet("a"), within="R", min=Measure(1.0), max=Measure(2.0, True)))
-    assert wording.subject(frequency, (), facade) == "frequency of a in R"
+    assert wording.subject(frequency, ()) == "frequency of a in R"
     assert wording.demand(frequency, frequency.constraints, facade) == "at least 1, at most 200%"
     sequence = SequenceConstraint(within=("R",), word=Word.parse("⊢ a"))
     unit = Unit((sequence,), (sequence,), "R")
-    assert (wording.subject(unit, (), facade), wording.demand(unit, unit.constraints, facade)) == (
+    assert (wording.subject(unit, ()), wording.demand(unit, unit.constraints, facade)) == (
         "sequences of R",
         "⊢ a",
     )

@@ -13,6 +13,7 @@ from scipy.sparse import csr_matrix
 
 from layoutkit.sizing.backends import BACKENDS, Clarabel, Daqp, polish
 from layoutkit.sizing.conflicts import Contradiction
+from layoutkit.sizing.overlaps import Meetings
 from layoutkit.sizing.plan import Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Solution
 from layoutkit.sizing.rules import SIZE, Range, Target
@@ -224,7 +225,7 @@ def test_names_of_the_backends() -> None:
 
 
 def plan_of(ranges: list[Range], targets: list[Target], variables: int) -> Plan:
-    return make_plan(0, variables, ranges, targets, ())
+    return make_plan(0, variables, ranges, targets, Meetings(()))
 
 
 def problem_of(plan: Plan, size: float) -> QP | Contradiction:

@@ -1,4 +1,4 @@
-"""The words of a group, sorted by what their sizing hangs on: how often each letter occurs, not in which order.
+"""The words of a group, sorted by what their sizing hangs on: how often letters occur, not in which order.
 
 Words are counted by dynamic programming over the machine's states and over running sums, which are whole
 numbers: nothing is rounded that a word's fitting could hang on.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import heapq
 from collections import defaultdict
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from layoutkit_relayout.counting.ways import Choice, Ways
@@ -32,25 +31,22 @@ class TooManyPlaces(Exception):  # noqa: N818 - names the fact
 class Weights:
     """What each of a machine's letters adds to a word's sums.
 
-    The first sums are those that may not pass an end: least lengths. The next ones have to reach an end:
-    greatest lengths. The others only tell words apart.
-
     Attributes
     ----------
     letters
-        For each letter of the machine, what it adds; to the first sum at least 1.
+        For each letter of the machine, what it adds; at least 1 to the first sum. None: it is not used.
     bits
         For each letter, the bits that it sets.
     most
-        Ends of the first sums.
-    least
-        Ends of the next sums; from an end on, sums are not told apart.
+        Ends that the first sums may not pass.
+    enough
+        From these ends on, the next sums are not told apart.
     """
 
-    letters: tuple[Sums, ...]
+    letters: tuple[Sums | None, ...]
     bits: tuple[int, ...]
     most: Sums
-    least: Sums
+    enough: Sums
 
 
 @dataclass(frozen=True)
@@ -82,22 +78,22 @@ class Profiles:
     """
 
     def __init__(self, machine: Machine, weights: Weights) -> None:
-        self.machine = machine
+        self.machine, self.weights = machine, weights
         self.number: dict[Profile, int] = {}
         self._ends: defaultdict[Profile, list[_Place]] = defaultdict(list)
         self._ways: dict[_Place, int] = {}
         self._before: defaultdict[_Place, list[tuple[_Place, int]]] = defaultdict(list)
         if not machine.empty:
-            self._walk(weights)
+            self._rests = _rests(machine, weights)
+            self._walk()
 
-    def _walk(self, weights: Weights) -> None:
-        rest = _rests(self.machine, weights)
+    def _walk(self) -> None:
         moves = [
             [(letter, int(after)) for letter, after in enumerate(row) if after >= 0]
             for row in self.machine.next
         ]
-        bounded, reaching = len(weights.most), len(weights.most) + len(weights.least)
-        start: _Place = (0, (0,) * (len(weights.letters[0]) if weights.letters else 0), 0)
+        width = next((len(own) for own in self.weights.letters if own is not None), 0)
+        start: _Place = (0, (0,) * width, 0)
         self._ways[start] = 1
         # Every letter adds to the first sum: places are done in the order of that.
         pending: defaultdict[int, list[_Place]] = defaultdict(list, {0: [start]})
@@ -105,36 +101,37 @@ class Profiles:
         while order:
             for place in pending.pop(heapq.heappop(order)):
                 state, sums, seen = place
-                ways = self._ways[place]
-                if self.machine.accepting[state] and all(
-                    own >= least
-                    for own, least in zip(sums[bounded:reaching], weights.least, strict=True)
-                ):
+                if self.machine.accepting[state]:
                     profile = Profile(sums, seen)
-                    self.number[profile] = self.number.get(profile, 0) + ways
+                    self.number[profile] = self.number.get(profile, 0) + self._ways[place]
                     self._ends[profile].append(place)
                 for letter, after in moves[state]:
-                    new = tuple(map(int.__add__, sums, weights.letters[letter]))
-                    if any(
-                        own + open_[after] > most
-                        for own, open_, most in zip(new, rest, weights.most, strict=False)
-                    ):
+                    reached = self._reached(place, letter, after)
+                    if reached is None:
                         continue
-                    new = (
-                        *new[:bounded],
-                        *map(min, new[bounded:reaching], weights.least),
-                        *new[reaching:],
-                    )
-                    reached = (after, new, seen | weights.bits[letter])
                     if reached not in self._ways:
                         if len(self._ways) >= MOST_PLACES:
-                            raise TooManyPlaces(f"more than {MOST_PLACES} places in the words of a region")
+                            raise TooManyPlaces(f"the words of a region come to more than {MOST_PLACES} sums")
                         self._ways[reached] = 0
-                        if new[0] not in pending:
-                            heapq.heappush(order, new[0])
-                        pending[new[0]].append(reached)
-                    self._ways[reached] += ways
+                        if reached[1][0] not in pending:
+                            heapq.heappush(order, reached[1][0])
+                        pending[reached[1][0]].append(reached)
+                    self._ways[reached] += self._ways[place]
                     self._before[reached].append((place, letter))
+
+    def _reached(self, place: _Place, letter: int, after: int) -> _Place | None:
+        """Return the place after a letter; None if no word goes on so and keeps the ends."""
+        own, (_, sums, seen) = self.weights.letters[letter], place
+        if own is None:
+            return None
+        new = tuple(map(int.__add__, sums, own))
+        for total, rest, most in zip(new, self._rests[after], self.weights.most, strict=False):
+            if total + rest > most:
+                return None
+        first = len(self.weights.most)
+        last = first + len(self.weights.enough)
+        capped = map(min, new[first:last], self.weights.enough)  # it is enough if it is long enough
+        return after, (*new[:first], *capped, *new[last:]), seen | self.weights.bits[letter]
 
     def word(self, profile: Profile, rank: int) -> tuple[str, ...]:
         """Return the word of a rank among those of a profile, as it reads from end to end."""
@@ -153,28 +150,29 @@ class Profiles:
         return self.machine.spell(letters[::-1])
 
 
-def _rests(machine: Machine, weights: Weights) -> list[list[int]]:
-    """Return, for each sum that may not pass an end, the least that completes each state (Dijkstra)."""
-    into: defaultdict[int, list[tuple[int, int]]] = defaultdict(list)
+def _rests(machine: Machine, weights: Weights) -> list[Sums]:
+    """Return, for each state, the least of the first sums with which words can still end (Dijkstra).
+
+    Where none can, the least is past every end.
+    """
+    into: defaultdict[int, list[tuple[int, Sums]]] = defaultdict(list)
     for state, row in enumerate(machine.next):
         for letter, after in enumerate(row):
-            if after >= 0:
-                into[int(after)].append((state, letter))
+            own = weights.letters[letter]
+            if after >= 0 and own is not None:
+                into[int(after)].append((state, own))
     found = []
-    for number in range(len(weights.most)):
+    for number, most in enumerate(weights.most):
         best: dict[int, int] = {}
         pending = [(0, state) for state, accepting in enumerate(machine.accepting) if accepting]
-        heapq.heapify(pending)
         while pending:
-            sum_, state = heapq.heappop(pending)
-            if state in best:
-                continue
-            best[state] = sum_
-            for before, letter in into[state]:
-                if before not in best:
-                    heapq.heappush(pending, (sum_ + weights.letters[letter][number], before))
-        found.append([best[state] for state in range(len(machine.accepting))])
-    return found
+            total, state = heapq.heappop(pending)
+            if state not in best:
+                best[state] = total
+                for before, own in into[state]:
+                    heapq.heappush(pending, (total + own[number], before))
+        found.append([best.get(state, most + 1) for state in range(len(machine.accepting))])
+    return list(zip(*found, strict=True))
 
 
 class Words(Ways):
@@ -187,8 +185,3 @@ class Words(Ways):
     def at(self, rank: int) -> Choice:
         """Return the word of a rank."""
         return {self.group: self._profiles.word(self._profile, rank)}
-
-
-def all_words(group: WordGroup, profiles: Profiles, chosen: Sequence[Profile]) -> list[Words]:
-    """Return the words of several profiles of a group."""
-    return [Words(group, profiles, profile) for profile in chosen]

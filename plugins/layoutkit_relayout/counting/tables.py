@@ -4,18 +4,70 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from layoutkit_relayout.counting.parts import Part, fixed_frames
-from layoutkit_relayout.counting.profiles import Profile, Profiles, Sums, Weights
+from layoutkit_relayout.counting.profiles import Profile, Profiles, Sums, Weights, Words
+from layoutkit_relayout.counting.ways import Either, Ways
 from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.machine import Machine
-from layoutkit_relayout.model import Model
+from layoutkit_relayout.model import Interval, Model
 
 #: Lengths are whole numbers of this share of the facade's size: far finer than what sizing tells apart.
 _GRAIN = 1e-13
 #: Words fit a given length to this share of it, as in the search.
 _SLACK = 1e-9
+
+Word = tuple[str, ...]
+Members = tuple[str, ...]
+_Limits = Mapping[tuple[str, frozenset[str]], int]
+
+
+@dataclass(frozen=True, eq=False)
+class Stretch:
+    """What a profile asks of a member's length: so much of each letter, and of other letters a range.
+
+    Attributes
+    ----------
+    times
+        How often each letter occurs whose length others have to do with.
+    rest
+        Least and greatest length of all other letters together.
+    """
+
+    member: str
+    times: Mapping[str, int]
+    rest: Interval
+
+
+@dataclass(frozen=True, eq=False)
+class Open:
+    """A group for which words are to be chosen, where a layout reaches some of its members.
+
+    Attributes
+    ----------
+    profiles
+        Its words to choose from.
+    """
+
+    group: WordGroup
+    members: Members
+    table: Profiles
+    profiles: Sequence[Profile]
+
+    def placed(self, word: Word) -> dict[str, Word]:
+        """Return a word of the group as those of its members."""
+        return {member: self.group.word_of(member, word) for member in self.members}
+
+    def example(self, profile: Profile) -> dict[str, Word]:
+        """Return the first word of a profile as those of the members."""
+        return self.placed(self.table.word(profile, 0))
+
+    def words(self, profiles: Sequence[Profile] | None = None) -> Ways:
+        """Return all words of some profiles, or of all."""
+        chosen = self.profiles if profiles is None else profiles
+        return Either([Words(self.group, self.table, profile) for profile in chosen])
 
 
 class Tables:
@@ -29,23 +81,22 @@ class Tables:
 
     def __init__(self, model: Model, parts: Sequence[Part], size: tuple[float, float]) -> None:
         self.model, self.size = model, size
-        self.part_of = {group: part for part in parts for group in part.groups}
+        self._part_of = {group: part for part in parts for group in part.groups}
         self._touched = {part: _with_ancestors(part) for part in parts}
         self._fixed = fixed_frames(model)
+        self._frees: dict[tuple[WordGroup, str], bool] = {}
         self._relevant: dict[WordGroup, tuple[str, ...]] = {}
-        self._made: dict[tuple[WordGroup, tuple[str, ...]], Profiles] = {}
-        self._sorted: dict[tuple[WordGroup, tuple[str, ...]], dict[int, list[Profile]]] = {}
+        self._made: dict[tuple[WordGroup, Members], dict[int, Open]] = {}
 
     def relevant(self, group: WordGroup) -> tuple[str, ...]:
-        """Return the letters of a group whose occurring matters to others, one way or another."""
+        """Return the letters of a group that others ask after: if not how often, then whether they occur."""
         if group not in self._relevant:
             others = [paths for part, paths in self._touched.items() if group not in part.groups]
             self._relevant[group] = tuple(
                 letter
                 for letter in group.letters
-                for children in [[f"{m}/{group.symbols[m][letter]}" for m in group.members]]
-                if any(child in self.model.open_paths for child in children)
-                or any(child in paths for child in children for paths in others)
+                if not self.free(group, letter)
+                or any(child in paths for child in _children(group, letter) for paths in others)
             )
         return self._relevant[group]
 
@@ -53,64 +104,110 @@ class Tables:
         """Tell whether a letter is among those that occur."""
         return bool(letters >> self.relevant(group).index(letter) & 1)
 
-    def by_letters(self, group: WordGroup, members: tuple[str, ...]) -> Mapping[int, list[Profile]]:
-        """Return the profiles of a group's words where a layout reaches some members.
+    def free(self, group: WordGroup, letter: str) -> bool:
+        """Tell whether nothing is asked of a letter's length but its own range.
+
+        Such letters may stretch as they like: of a word, only the sums of their ranges matter.
+        """
+        key = (group, letter)
+        if key not in self._frees:
+            self._frees[key] = self._free(group, letter)
+        return self._frees[key]
+
+    def _free(self, group: WordGroup, letter: str) -> bool:
+        part = self._part_of[group]
+        if group in part.ordered:
+            return False
+        axis = self.model.axis(group.members[0])
+        for child in _children(group, letter):
+            if child in self.model.open_paths:
+                return False
+            for tie in part.ties:
+                if tie.spoken:
+                    frames = (path for path, own in tie.frames if own == axis)
+                    counted = tie.counts.counted if tie.counts is not None else ()
+                    if any(path == child or path.startswith(f"{child}/") for path in (*frames, *counted)):
+                        return False
+        return True
+
+    def opened(self, group: WordGroup, members: Members) -> Mapping[int, Open]:
+        """Return the words of a group where a layout reaches some members.
 
         They are sorted by which of the relevant letters occur, as bits.
         """
         key = (group, members)
-        if key not in self._sorted:
-            found: defaultdict[int, list[Profile]] = defaultdict(list)
-            for profile in self.profiles(group, members).number:
-                found[profile.seen].append(profile)
-            self._sorted[key] = dict(found)
-        return self._sorted[key]
-
-    def profiles(self, group: WordGroup, members: tuple[str, ...]) -> Profiles:
-        """Return all profiles of a group's words where a layout reaches some members."""
-        key = (group, members)
         if key not in self._made:
-            machine = group.machine(members)
-            self._made[key] = Profiles(machine, self._weights(group, members, machine))
+            table = Profiles(machine := group.machine(members), self._weights(group, members, machine))
+            found: defaultdict[int, list[Profile]] = defaultdict(list)
+            everything = Open(group, members, table, tuple(table.number))
+            for profile in everything.profiles:
+                if self._long_enough(everything, profile):
+                    found[profile.seen].append(profile)
+            self._made[key] = {bits: Open(group, members, table, own) for bits, own in found.items()}
         return self._made[key]
 
-    def settled(self, part: Part, members: Mapping[WordGroup, tuple[str, ...]]) -> bool:
-        """Tell whether every profile of a part's groups fits: its lengths are given, and nothing else asked."""
-        return not any(tie.spoken for tie in part.ties) and all(
-            (member, self.model.axis(member)) in self._fixed
-            and all(self._free(group, letter) for letter in group.letters)
-            for group, own in members.items()
-            for member in own
-        )
+    def letters(self, own: Open) -> tuple[str, ...]:
+        """Return the letters, of which the words have the same, that are not free."""
+        seen = own.profiles[0].seen
+        tied = (letter for letter in self.relevant(own.group) if not self.free(own.group, letter))
+        return tuple(letter for letter in tied if self.has(own.group, seen, letter))
 
-    def _weights(self, group: WordGroup, members: Sequence[str], machine: Machine) -> Weights:
-        rows = {letter: self._sums(group, members, letter) for letter in group.letters}
+    def stretches(self, own: Open, profile: Profile) -> Iterator[Stretch]:
+        """Yield what a profile asks of the length of each member."""
+        count = len(own.members)
+        free = len(own.table.weights.most)
+        most, least = profile.sums[free : free + count], profile.sums[free + count : free + 2 * count]
+        times = zip(own.group.letters, profile.sums[free + 2 * count :], strict=True)
+        tied = {letter: number for letter, number in times if number}
+        for member, low, high in zip(own.members, least, most, strict=True):
+            yield Stretch(member, tied, (low * self._grain, high * self._grain))
+
+    def _long_enough(self, own: Open, profile: Profile) -> bool:
+        """Tell whether words of a profile can fill each member."""
+        for stretch in self.stretches(own, profile):
+            hulls = [
+                (times, self._hull(own.group, stretch.member, letter))
+                for letter, times in stretch.times.items()
+            ]
+            most = stretch.rest[1] + sum(times * high for times, (_, high) in hulls)
+            if most < self._length(stretch.member)[0] * (1 - _SLACK):
+                return False
+        return True
+
+    def _weights(self, group: WordGroup, members: Members, machine: Machine) -> Weights:
+        limits = self._limits(members)
+        rows = {letter: self._sums(group, members, letter, limits) for letter in group.letters}
         bits = {letter: 1 << number for number, letter in enumerate(self.relevant(group))}
-        limits = self._limits(group, members)
+        lengths = [self._whole(self._length(member)[1] * (1 + _SLACK)) for member in members]
         return Weights(
-            tuple(tuple(map(sum, zip(*(rows[own] for own in parts), strict=True))) for parts in machine.parts),
+            tuple(_added([rows[own] for own in parts]) for parts in machine.parts),
             tuple(sum({bits.get(own, 0) for own in parts}) for parts in machine.parts),
-            (*(self._whole(most * (1 + _SLACK)) for _, most in self._lengths(members)), *limits.values()),
-            tuple(self._whole(least * (1 - _SLACK)) for least, _ in self._lengths(members)),
+            (*lengths, *limits.values()),
+            tuple(lengths),
         )
 
-    def _sums(self, group: WordGroup, members: Sequence[str], letter: str) -> Sums:
-        """Return what a letter adds: least lengths and counts, greatest lengths, and, where asked, itself."""
-        children = [f"{member}/{group.symbols[member][letter]}" for member in members]
-        hulls = [self.model.hull(child, self.model.axis(m)) for m, child in zip(members, children, strict=True)]
-        least = [max(1, self._whole(low)) for low, _ in hulls]
-        limits = [
-            int(self.model.content(f"{member}/{group.symbols[member][letter]}", counted, self.size)[0])
-            for member, counted in self._limits(group, members)
-        ]
-        most = [self._whole(min(high, 2 * max(self.size))) for _, high in hulls]
-        unlike = [] if self._free(group, letter) else [other == letter for other in group.letters]
-        return (*least, *limits, *most, *map(int, unlike or [False] * len(group.letters)))
+    def _sums(self, group: WordGroup, members: Members, letter: str, limits: _Limits) -> Sums | None:
+        """Return what a letter adds; None where it has no size at all.
 
-    def _limits(
-        self, group: WordGroup, members: Sequence[str]
-    ) -> dict[tuple[str, frozenset[str]], int]:
-        """Return how many regions, counted in the word of one member alone, a frequency allows."""
+        These are least lengths and counts; of free letters greatest and least lengths; and of others, how
+        often they occur.
+        """
+        hulls = [self._hull(group, member, letter) for member in members]
+        if any(low > high * (1 + _SLACK) for low, high in hulls):
+            return None
+        free = self.free(group, letter)
+        least = [max(1, self._whole(low)) for low, _ in hulls]
+        counts = [
+            int(self.model.content(f"{member}/{group.symbols[member][letter]}", counted, self.size)[0])
+            for member, counted in limits
+        ]
+        most = [self._whole(high) for _, high in hulls]
+        nothing = [0] * len(members)
+        times = [int(other == letter and not free) for other in group.letters]
+        return (*least, *counts, *(most if free else nothing), *(least if free else nothing), *times)
+
+    def _limits(self, members: Members) -> _Limits:
+        """Return how many regions, counted in the word of one member alone, frequencies allow."""
         found: dict[tuple[str, frozenset[str]], int] = {}
         for rule in self.model.counts:
             if rule.most.relative or math.isinf(rule.most.value):
@@ -121,40 +218,32 @@ class Tables:
                     found[key] = min(found.get(key, 2**62), math.floor(rule.most.value + 1e-6))
         return found
 
-    def _lengths(self, members: Sequence[str]) -> list[tuple[float, float]]:
-        """Return, for each member, the lengths that it can have."""
-        found = []
-        for member in members:
-            axis = self.model.axis(member)
-            given = self.model.frame(member, self.size)[axis]
-            low, high = self.model.hull(member, axis)
-            found.append((given, given) if (member, axis) in self._fixed else (low, min(high, given)))
-        return found
+    def _hull(self, group: WordGroup, member: str, letter: str) -> Interval:
+        return self.model.hull(f"{member}/{group.symbols[member][letter]}", self.model.axis(member))
+
+    def _length(self, member: str) -> Interval:
+        """Return the lengths that a member can have."""
+        axis = self.model.axis(member)
+        given = self.model.frame(member, self.size)[axis]
+        low, high = self.model.hull(member, axis)
+        return (given, given) if (member, axis) in self._fixed else (low, min(high, given))
+
+    @property
+    def _grain(self) -> float:
+        return _GRAIN * max(self.size)
 
     def _whole(self, length: float) -> int:
-        return round(min(length, 4 * max(self.size)) / (_GRAIN * max(self.size)))
+        return round(min(length, 4 * max(self.size)) / self._grain)
 
-    def _free(self, group: WordGroup, letter: str) -> bool:
-        """Tell whether nothing is asked of a letter's length but its own range.
 
-        Such letters may stretch as they like: of a word, only the sums of their ranges matter.
-        """
-        part = self.part_of[group]
-        if group in part.ordered:
-            return False
-        for member in group.members:
-            child, axis = f"{member}/{group.symbols[member][letter]}", self.model.axis(member)
-            inside = f"{child}/"
-            if child in self.model.open_paths:
-                return False
-            for tie in part.ties:
-                if not tie.spoken:
-                    continue
-                frames = (path for path, own in tie.frames if own == axis)
-                counted = tie.counts.counted if tie.counts is not None else ()
-                if any(path == child or path.startswith(inside) for path in (*frames, *counted)):
-                    return False
-        return True
+def _children(group: WordGroup, letter: str) -> list[str]:
+    return [f"{member}/{group.symbols[member][letter]}" for member in group.members]
+
+
+def _added(rows: Sequence[Sums | None]) -> Sums | None:
+    """Return what the parts of a letter add together; None if one of them is not used."""
+    known = [row for row in rows if row is not None]
+    return tuple(map(sum, zip(*known, strict=True))) if len(known) == len(rows) else None
 
 
 def _with_ancestors(part: Part) -> frozenset[str]:

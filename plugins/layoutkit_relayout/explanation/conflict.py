@@ -43,21 +43,21 @@ class Core:
         return not self.unproved
 
 
-def minimal_core(judge: Judge, units: Sequence[Unit], fixed: Sequence[Unit] = ()) -> Core:
+def minimal_core(judge: Judge, units: Sequence[Unit]) -> Core:
     """Return a minimal conflict among units that are known to be infeasible together.
+
+    It is empty where nothing can be, whichever of them are left out.
 
     Parameters
     ----------
     units
         The more a unit is wanted in the conflict, the further in front: later ones take part only if it
         cannot be shown without them.
-    fixed
-        Units that take part in any case.
     """
-    found = quickxplain(lambda some: judge.glance([*fixed, *some]).status == "infeasible", units)
+    found = quickxplain(lambda some: judge.glance(some).status == "infeasible", units)
     # A search that gives up too soon leaves units in that are not needed: now look longer.
     while True:
-        verdicts = {unit: judge.settle([*fixed, *without(found, unit)]).status for unit in found[::-1]}
+        verdicts = {unit: judge.settle(without(found, unit)).status for unit in found[::-1]}
         spare = next((unit for unit, status in verdicts.items() if status == "infeasible"), None)
         if spare is None:
             return Core(tuple(found), frozenset(u for u, status in verdicts.items() if status == "limit"))

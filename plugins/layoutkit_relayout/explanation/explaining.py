@@ -79,6 +79,8 @@ def _conflicts(
         if found and judge.searched >= MOST_SEARCHES:
             break
         core = minimal_core(judge, _suspected(judge, left, suspects))
+        if not core.units:
+            break
         parts = narrowed(judge, core)
         found.append(_Found(core, parts, _given_up(judge, left, core, parts)))
         left = without(left, found[-1].given_up)
@@ -145,7 +147,7 @@ def _told(facade: Facade, found: _Found, ways: Sequence[Way]) -> Conflict:
             Member(
                 unit.sources,
                 regions,
-                wording.subject(unit, regions, facade) + (f", {times} of" if times > 1 else ""),
+                wording.subject(unit, regions) + (f", {times} of" if times > 1 else ""),
                 wording.demand(unit, parts, facade) + (" each" if times > 1 else ""),
                 unit.by_default,
                 unit not in found.core.unproved,

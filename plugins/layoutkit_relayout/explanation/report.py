@@ -8,6 +8,7 @@ from layoutkit.diagnostics import Diagnostic, Place
 from layoutkit.model import Facade
 from layoutkit.model.conflict import Conflict, Explanation, Member
 from layoutkit_relayout.explanation import wording
+from layoutkit_relayout.explanation.units import FLOOR
 
 #: Remedies that the hint names.
 _MOST_REMEDIES = 4
@@ -16,7 +17,7 @@ _WIDEST = 72
 
 
 def diagnostics(explanation: Explanation, facade: Facade) -> tuple[Diagnostic, ...]:
-    """Return one diagnostic (LK203) for each conflict."""
+    """Return one diagnostic (LK203) for each conflict; none where it is the size alone that forbids all."""
     count = len(explanation.conflicts)
     width, height = explanation.size
     at = f"at {width:g} × {height:g} {facade.units}"
@@ -26,6 +27,17 @@ def diagnostics(explanation: Explanation, facade: Facade) -> tuple[Diagnostic, .
         which = f" ({number} of {count}{more} conflicts)" if count > 1 or more else ""
         found.append(_diagnostic(conflict, f"these constraints cannot hold together {at}{which}", facade))
     return tuple(found)
+
+
+def too_small(explanation: Explanation, facade: Facade) -> Diagnostic:
+    """Return the diagnostic of a size at which nothing can be, whichever constraints are left out."""
+    width, height = explanation.size
+    return Diagnostic(
+        "LK203",
+        f"no constraint is at fault at {width:g} × {height:g} {facade.units}: there is no room for any region",
+        hint=f"ask for a larger size: each region keeps at least {FLOOR:.0%} of what it has in the input",
+        topic="sizing",
+    )
 
 
 def _diagnostic(conflict: Conflict, message: str, facade: Facade) -> Diagnostic:

@@ -60,7 +60,7 @@ class Explain(Stage):
 def _outcome(judge: Judge, node_limit: int, start: float) -> Outcome:
     from layoutkit_relayout.explanation.best_effort import as_layout
     from layoutkit_relayout.explanation.explaining import explained
-    from layoutkit_relayout.explanation.report import diagnostics
+    from layoutkit_relayout.explanation.report import diagnostics, too_small
 
     facade = judge.facade
     verdict = judge.first(node_limit)
@@ -70,7 +70,9 @@ def _outcome(judge: Judge, node_limit: int, start: float) -> Outcome:
     explanation = explained(judge)
     found = diagnostics(explanation, facade)
     if verdict.status == "limit":
-        found = (_undecided(facade, judge.size, verdict.nodes), *found)
+        found = (_undecided(facade, judge.size, verdict.nodes),)
+    elif not found:
+        found = (too_small(explanation, facade),)
     return Outcome(verdict.status, None, found, time.perf_counter() - start, explanation)
 
 

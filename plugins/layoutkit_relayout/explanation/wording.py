@@ -27,7 +27,7 @@ _SYMBOLS = 9
 _SHORT = 40
 
 
-def subject(unit: Unit, regions: Sequence[str], facade: Facade) -> str:
+def subject(unit: Unit, regions: Sequence[str]) -> str:
     """Return what a unit speaks of, e.g. ``size of Facade/B/C``.
 
     Parameters
@@ -155,7 +155,7 @@ def widening(unit: Unit, end: End, to: Measure, facade: Facade) -> str:
             new = length(sizes.pop(), facade) if not to.relative else f"{to} ({length(sizes.pop(), facade)})"
         what = name(paths[0], facade) if len(paths) == 1 else _short(str(constraint.of), constraint)
     else:
-        what = _short(subject(unit, (), facade), constraint)
+        what = _short(subject(unit, ()), constraint)
     if unit.by_default:
         return f"give {what} a size of its own, {_ENDS[end]} {new}"
     return f"{'lower the minimum' if end == 'min' else 'raise the maximum'} of {what} to {new}"

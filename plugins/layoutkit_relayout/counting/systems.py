@@ -1,0 +1,186 @@
+"""What has to hold in one part, once it is known which regions there are: rows over frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from layoutkit.sizing.rules import Aligned, Range, SizeRule
+from layoutkit_relayout.counting.frames import Framed, Frames, Row
+from layoutkit_relayout.counting.parts import Part
+from layoutkit_relayout.counting.tables import Open, Tables, Word
+from layoutkit_relayout.counting.profiles import Profile
+from layoutkit_relayout.counting.ties import Frame, Tie
+from layoutkit_relayout.counting.ways import Ways
+from layoutkit_relayout.measures import Measures
+from layoutkit_relayout.model import Interval, Model
+
+#: A frame's size lies between two ends, in so many ways.
+Spread = Mapping[Interval, Ways]
+#: Sizes are equal, and rows hold, to this share of the facade's size.
+NEAR = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Link:
+    """Something that relates some frames.
+
+    Attributes
+    ----------
+    rows
+        What holds, whatever the words are.
+    groups
+        Groups whose words it hangs on; no group is in two links.
+    ties
+        Ties that hang on these words, beside that the words fill their regions.
+    spreads
+        For single frames, the sizes that what is inside of them leaves open.
+    """
+
+    frames: frozenset[Frame]
+    rows: tuple[Row, ...] = ()
+    groups: tuple[Open, ...] = ()
+    ties: tuple[Tie, ...] = ()
+    spreads: tuple[tuple[Frame, Spread], ...] = ()
+
+    @property
+    def ordered(self) -> bool:
+        """Whether the order of letters matters: then sizes may have gaps between their ends."""
+        return any(tie.ordered for tie in self.ties)
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """All links of a part.
+
+    Attributes
+    ----------
+    ranges
+        For each frame, the sizes that it may have by itself.
+    words
+        Words, by path, that say which regions there are: for a part's own groups, any of the right letters.
+    possible
+        Whether all holds that is given.
+    """
+
+    part: Part
+    links: tuple[Link, ...]
+    ranges: Mapping[Frame, Interval]
+    words: Mapping[str, Word]
+    possible: bool
+
+
+class Systems:
+    """States the parts of one facade at one size."""
+
+    def __init__(
+        self, model: Model, parts: Sequence[Part], tables: Tables, frames: Frames, measures: Measures
+    ) -> None:
+        self.model, self.tables, self.frames, self.measures = model, tables, frames, measures
+        self.tied = {id(tie.origin): tie for part in parts for tie in part.ties if tie.origin is not None}
+
+    def system(self, part: Part, own: Sequence[Open], around: Sequence[Open]) -> System:
+        """State a part where the words of its groups, and of those around, have known letters."""
+        words = {path: word for each in (*own, *around) for path, word in each.example(each.profiles[0]).items()}
+        arrangement = self.arrangement(words)
+        rows = [
+            row
+            for row in self.frames.rows(arrangement, self.ranges(arrangement))
+            if self._holds_for_all(row, part)
+        ]
+        ranges = {frame: self.frames.hull(frame) for frame in self._reached(arrangement, part)}
+        possible = True
+        links = []
+        for row in rows:
+            if len(row.factors) > 1:
+                if row.factors.keys() <= ranges.keys():
+                    links.append(Link(frozenset(row.factors), (row,)))
+            elif row.factors:
+                ((frame, factor),) = row.factors.items()
+                if frame in ranges:
+                    ends = sorted((row.least / factor, row.most / factor))
+                    ranges[frame] = max(ranges[frame][0], ends[0]), min(ranges[frame][1], ends[1])
+            else:
+                possible &= row.least <= self._slack and row.most >= -self._slack
+        links += [Link(self._frames_of(each), groups=(each,)) for each in own]
+        groups = {each.group: each for each in own}
+        for tie in part.ties:
+            bound = tuple(groups[group] for group in tie.groups if group in groups)
+            if tie.spoken and tie.groups:
+                names = (self.frames.unknown(*frame) for frame in tie.frames)
+                frames = frozenset(name for name in names if name in ranges)
+                links.append(Link(frames, groups=bound, ties=(tie,)))
+        return System(part, tuple(_by_group(links)), ranges, words, possible)
+
+    def arrangement(self, words: Mapping[str, Word]) -> Framed:
+        """Return the arrangement of some words, and of those that there is no choice of."""
+        found: dict[str, Word] = {}
+        for path in self.model.reached(found):  # what is added here is reached in turn
+            group = self.model.group_of[path]
+            word = words.get(path) if group.forced is None else group.word_of(path, group.forced)
+            if word is not None:
+                found[path] = word
+        return Framed(self.model.facade, self.model.completed(found))
+
+    def ranges(self, arrangement: Framed) -> list[Range]:
+        """Return all rows of an arrangement; what has to be in line is none."""
+        return [rule for rule in self.rules(arrangement) if isinstance(rule, Range)]
+
+    def rules(self, arrangement: Framed) -> list[SizeRule]:
+        """Return all rules of an arrangement."""
+        return [*self.measures.rules(arrangement), *arrangement.tilings]
+
+    @property
+    def _slack(self) -> float:
+        return NEAR * max(self.frames.size)
+
+    def _holds_for_all(self, row: Row, part: Part) -> bool:
+        """Tell whether a row holds for all words with the same letters.
+
+        It does, but where it fills a region with a choice of words, or where it comes from a tie that hangs on
+        words. Where a tie of another part says it, it is not asked of this one.
+        """
+        if row.tiled is not None:
+            return self.model.group_of[row.tiled].forced is not None
+        tie = self.tied.get(id(row.rule.origin))
+        return tie is None or (tie in part.ties and not tie.groups)
+
+    def _reached(self, arrangement: Framed, part: Part) -> list[Frame]:
+        """Return the frames of a part that an arrangement has, each that has to be equal once."""
+        own = {self.frames.unknown(*frame) for frame in part.frames}
+        reached = [(path, axis) for path in arrangement.frames for axis in (0, 1)]
+        return [frame for frame in reached if frame in own]
+
+    def _frames_of(self, own: Open) -> frozenset[Frame]:
+        """Return the frames that a group's words relate: each member's, and those of letters that are tied."""
+        found = set()
+        for member in own.members:
+            axis = self.model.axis(member)
+            found.add(self.frames.unknown(member, axis))
+            for letter in self.tables.letters(own):
+                found.add(self.frames.unknown(f"{member}/{own.group.symbols[member][letter]}", axis))
+        return frozenset(frame for frame in found if frame is not None)
+
+
+def _by_group(links: Iterable[Link]) -> list[Link]:
+    """Make links that hang on the words of the same group one."""
+    found: list[Link] = []
+    for link in links:
+        alike = [other for other in found if set(other.groups) & set(link.groups)]
+        for other in alike:
+            found.remove(other)
+            link = united((other, link))
+        found.append(link)
+    return found
+
+
+def united(links: Iterable[Link]) -> Link:
+    """Return one link for several."""
+    links = tuple(links)
+    return Link(
+        frozenset(frame for link in links for frame in link.frames),
+        tuple(row for link in links for row in link.rows),
+        tuple(dict.fromkeys(group for link in links for group in link.groups)),
+        tuple(dict.fromkeys(tie for link in links for tie in link.ties)),
+        tuple(spread for link in links for spread in link.spreads),
+    )
