@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from layoutkit.constraints.constraint import Constraint
+from layoutkit.constraints.expansion import expanded
 from layoutkit.constraints.renaming import confined, joins, lifted, spread
 from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.model import Building, Facade, Mass, Region
@@ -38,7 +39,7 @@ def dressed(facade: Facade, mass: Mass) -> Facade:
         facade.name,
         facade.units,
         Region(symbol, design.width * len(faces), design.height, "faces", faces),
-        constraints=tuple(carried for own in facade.constraints for carried in _carried(own, facade, mass)),
+        constraints=tuple(carried for own in expanded(facade) for carried in _carried(own, facade, mass)),
         building=Building(mass, facade),
     )
 
@@ -51,7 +52,8 @@ def root_symbol(facade: Facade) -> str:
 def dressing_faults(facade: Facade, mass: Mass) -> Iterator[Diagnostic]:
     """Yield which constraints cannot be carried to the faces of a mass, or mean less there than they say."""
     carried: dict[int, tuple[Constraint, ...]] = {}
-    for number, constraint in enumerate(facade.constraints):
+    given = expanded(facade)  # generators go by the design: sequences are what is carried over
+    for number, constraint in enumerate(given):
         if constraint.scope == "building" and not joins(type(constraint)):
             yield _idle(constraint)
         try:
@@ -61,7 +63,7 @@ def dressing_faults(facade: Facade, mass: Mass) -> Iterator[Diagnostic]:
     bare = dressed(replace(facade, constraints=()), mass)
     whole = replace(bare, constraints=tuple(copy for copies in carried.values() for copy in copies))
     for number, copies in carried.items():
-        yield from _lost(facade.constraints[number], copies, whole)
+        yield from _lost(given[number], copies, whole)
 
 
 def _carried(constraint: Constraint, facade: Facade, mass: Mass) -> Iterator[Constraint]:

@@ -111,6 +111,8 @@ class _Rows:
 
         if not chosen:
             return False
+        if np.any(self.least[chosen] > self.most[chosen] + 1e-9):
+            return True
         rows = np.ascontiguousarray(self.matrix[chosen])
         nothing = np.zeros((0, rows.shape[1]))
         problem = QP(nothing, np.zeros(0), np.zeros(0), rows, self.least[chosen], self.most[chosen])

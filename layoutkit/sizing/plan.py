@@ -17,6 +17,8 @@ from layoutkit.sizing.substitution import Substitution
 
 #: Up to so many free variables arrays are dense, and all equalities are solved; beyond, they are sparse.
 DENSE = 300
+#: Ends of a row contradict each other from this share of the size on.
+_CROSSED = 1e-9
 #: Rows differ by more than rounding from here on.
 _DIGITS = 9
 
@@ -83,6 +85,8 @@ class Plan:
         least, most = self.least / size, self.most / size
         offset = self._offset(self.rows, size)
         least, most = least - offset, most - offset
+        if len(crossed := np.flatnonzero(least > most + _CROSSED)):
+            return self.contradiction([(int(crossed[0]), 1.0), (int(crossed[0]), -1.0)], size)
         rows = self.rows[:, : self.free]
         if isinstance(rows, np.ndarray):
             empty = ~np.any(np.abs(rows) > 1e-9, axis=1)

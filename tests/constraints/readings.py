@@ -70,7 +70,7 @@ def _reads(rule: WordRule, words: Mapping[str, Word], regions: Mapping[str, Regi
         return rule.path not in words or _accepts(rule.automaton, words[rule.path])
     if isinstance(rule, Mirrored):
         word = words.get(rule.path, ())
-        return tuple(rule.partners[symbol] for symbol in reversed(word)) == word
+        return all(a in rule.partners[b] for a, b in zip(word, reversed(word), strict=True))
     if isinstance(rule, Agree):
         return len({words[path] for path in rule.symbols if path in words}) <= 1
     assert isinstance(rule, Counts)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -59,9 +60,7 @@ def coupled(seed: int) -> tuple[Facade, tuple[float, float]]:
     root = _root(floors, letters, ways, random)
     bare = Facade(f"coupled-{seed}", "m", root)
     constraints = [*_sizes(bare, random), *_stack(floors, random)]
-    for path, region in bare.regions.items():
-        if region.split and "/" in path:
-            constraints += _words(path, region, random)
+    constraints += _words(bare, random)
     constraints += _couplings(bare, floors, ways, random)
     along = _steps(random.uniform(6.0, 16.0))
     across = _steps(len(floors) * random.uniform(2.0, 3.4))
@@ -119,12 +118,12 @@ def _sizes(facade: Facade, random: Random) -> Iterator[Constraint]:
     for path in facade.regions:
         depth = path.count("/")
         if depth == 1:
-            low, high = random.uniform(1.6, 2.2), random.uniform(2.4, 3.6)
+            low, high = random.uniform(1.5, 2.2), random.uniform(2.8, 3.8)
         elif path.endswith("/B"):
-            low, high = random.uniform(1.5, 2.0), random.uniform(2.2, 3.5)
+            low, high = random.uniform(1.0, 1.8), random.uniform(2.2, 3.5)
         elif depth:
             low = random.uniform(0.7, 1.6) if depth == 2 else random.uniform(0.4, 0.9)
-            high = low + random.uniform(0.0, 0.9)
+            high = low + random.uniform(0.1, 1.0)
         else:
             continue
         yield Size(of=RegionSet(path), min=Measure(_steps(low)), max=Measure(_steps(high)))
@@ -140,23 +139,40 @@ def _stack(floors: Sequence[str], random: Random) -> list[SequenceConstraint]:
     return sequences(["R"], framed(floors[:1], after, floors[-1:]))
 
 
-def _words(path: str, region: Region, random: Random) -> list[SequenceConstraint]:
+def _words(facade: Facade, random: Random) -> Iterator[SequenceConstraint]:
+    """Yield sequences for floors and bays; those of a floor often hold for the next one with its letters."""
+    before: tuple[frozenset[str], list[Word]] = frozenset(), []
+    for path, region in facade.regions.items():
+        if region.split and "/" in path and (path.count("/") == 1 or random.random() < 0.4):
+            letters = frozenset(region.word)
+            words = before[1] if letters == before[0] and random.random() < 0.7 else _chain(region, random)
+            yield from sequences([path], words)
+            if path.count("/") == 1:
+                before = letters, words
+
+
+def _chain(region: Region, random: Random) -> list[Word]:
+    """Return which letters may stand side by side; most often, the one way round as the other."""
     letters = list(dict.fromkeys(region.word))
-    if path.endswith("/B") and random.random() < 0.6:
-        return []
-    after = {s: _some(random, letters) for s in letters}
-    words = list(framed(_some(random, letters), after, _some(random, letters)))
+    beside = {pair for pair in pairwise(region.word)}
+    beside |= {(a, b) for a in letters for b in letters if random.random() < 0.25}
+    ends = [{region.word[0], *_some(random, letters)}, {region.word[-1], *_some(random, letters)}]
+    if random.random() < 0.6:
+        beside |= {(b, a) for a, b in beside}
+        ends = [ends[0] | ends[1]] * 2
+    after = {s: [other for other in letters if (s, other) in beside] for s in letters}
+    words = list(framed(sorted(ends[0]), after, sorted(ends[1])))
     for _ in range(int(random.integers(0, 3))):
         sets = tuple(RegionSet.union(_some(random, letters, 1, 2)) for _ in range(int(random.integers(2, 5))))
         words.append(Word(sets, random.random() < 0.2, random.random() < 0.2))
-    if random.random() < 0.3:  # without one of the chain's links: longer pieces have to join
+    if random.random() < 0.25 and len(words) > 3:  # without one of its links: longer pieces have to join
         del words[int(random.integers(1, len(words) - 1))]
-    return sequences([path], words)
+    return words
 
 
 def _couplings(facade: Facade, floors: Sequence[str], ways: Ways, random: Random) -> Iterator[Constraint]:
     for one, other in zip(floors, floors[1:], strict=False):
-        if random.random() < 0.65:
+        if random.random() < 0.5:
             yield _alignment(facade, f"R/{one}", f"R/{other}", ways, random)
         if random.random() < 0.2:
             yield _same_size(facade, f"R/{one}", f"R/{other}", ways, random)
@@ -167,9 +183,9 @@ def _couplings(facade: Facade, floors: Sequence[str], ways: Ways, random: Random
         one, other = _some(random, floors, 2, 2)
         yield _alignment(facade, f"R/{one}", f"R/{other}", ways, random)
     for floor in floors:
-        if random.random() < 0.2:
+        if random.random() < 0.12:
             yield _symmetry(facade, f"R/{floor}", random)
-        if random.random() < 0.25:
+        if random.random() < 0.2:
             yield _frequency(facade, f"R/{floor}", random)
     if random.random() < 0.4:
         yield _frequency(facade, "R", random)
@@ -188,7 +204,7 @@ def _alignment(facade: Facade, one: str, other: str, ways: Ways, random: Random)
         chosen = (RegionSet.union(_some(random, names, 1, 2)),) if random.random() < 0.7 else ()
         contexts["first_before"] = Word(chosen, at_start=not chosen)
         first = RegionSet.union(_some(random, [f"{one}/{name}" for name in names], 1, 2))
-    lines = tuple(_some(random, ways.lines, 1, 2))
+    lines = tuple(_some(random, ways.lines, 1, 1 + (random.random() < 0.3)))
     return Alignment(first=first, second=second, lines=lines, **contexts)
 
 
@@ -214,9 +230,9 @@ def _frequency(facade: Facade, within: str, random: Random) -> Frequency:
     symbols = list(dict.fromkeys(facade.regions[within].word))
     of = labels if within == "R" or random.random() < 0.4 else RegionSet.union(_some(random, symbols, 1, 2))
     if random.random() < 0.5:
-        low = int(random.integers(0, 5 if within != "R" else 12))
-        high = low + int(random.integers(0, 4 if within != "R" else 10))
+        low = int(random.integers(0, 4 if within != "R" else 10))
+        high = low + int(random.integers(0, 6 if within != "R" else 20))
         return Frequency(of=of, within=within, min=Measure(float(low)), max=Measure(float(high)))
-    low = int(random.integers(30, 100))
-    high = low + int(random.integers(20, 80))
+    low = int(random.integers(30, 90))
+    high = low + int(random.integers(30, 150))
     return Frequency(of=of, within=within, min=Measure(low / 100, True), max=Measure(high / 100, True))

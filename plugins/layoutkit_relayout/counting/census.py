@@ -11,13 +11,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from layoutkit.sizing.qp import Backend
-from layoutkit_relayout.counting.combinations import Combinations, Open
-from layoutkit_relayout.counting.fitting import Fitting
+from layoutkit.sizing.solve import Conflict
+from layoutkit_relayout.counting.combining import Combining
+from layoutkit_relayout.counting.effort import Effort
+from layoutkit_relayout.counting.frames import Frames
+from layoutkit_relayout.counting.laying import PROBLEMS, Laying
 from layoutkit_relayout.counting.parts import Joined, Part, parts_of
-from layoutkit_relayout.counting.tables import Tables
+from layoutkit_relayout.counting.solving import Solving
+from layoutkit_relayout.counting.systems import Systems
+from layoutkit_relayout.counting.tables import Open, Tables
 from layoutkit_relayout.counting.ties import above
-from layoutkit_relayout.counting.ways import Either, Together, Ways
+from layoutkit_relayout.counting.ways import Either, Perhaps, Together, Ways
 from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.measures import Measures
 from layoutkit_relayout.model import Model
 
 #: For each group, which of the letters that matter to others occur, as bits; None where it is not reached.
@@ -56,20 +62,18 @@ class Census:
     def __init__(
         self, model: Model, size: tuple[float, float], backends: Sequence[Backend], limit: int
     ) -> None:
-        self.model, self.limit = model, limit
+        self.model, self.effort = model, Effort(limit)
         self._parts = parts_of(model)
         self._tables = Tables(model, self._parts, size)
-        self._fitting = Fitting(model, self._parts, size, backends)
+        measures = Measures(model, size, backends)
+        self._systems = Systems(model, self._parts, self._tables, Frames(model, size), measures)
+        laying = Laying(self._systems, backends, self.effort)
+        self._combining = Combining(self._systems, laying, self.effort)
         self._around = {group: _around(model, group) for group in model.groups if group.forced is None}
         self._known: dict[object, Ways] = {}
         self.ways: Ways = Either(())
-        if self._fitting.possible({}):
+        if not any(isinstance(measures.ahead({}, axis, PROBLEMS), Conflict) for axis in (0, 1)):
             self.ways = self._all(_from_outside(self._around), self._parts, {})
-
-    @property
-    def tried(self) -> int:
-        """How many arrangements, of parts or whole, were sized."""
-        return self._fitting.tried
 
     def words(self, rank: int) -> dict[str, Word]:
         """Return the words of the arrangement of a rank, by symbol path."""
@@ -100,7 +104,7 @@ class Census:
         members = self._reached(first, letters)
         if not members:
             return self._all(tuple(others), parts, {**letters, first: None})
-        domain = self._tables.by_letters(first, members)
+        domain = self._tables.opened(first, members)
         return Either([self._all(tuple(others), parts, {**letters, first: own}) for own in domain])
 
     def _pieces(
@@ -139,23 +143,23 @@ class Census:
 
     def _sized(self, part: Part, letters: Letters) -> Ways:
         """Return the ways for a part's own groups, given which letters they and those around have."""
-        own = self._open(part.groups, letters)
-        around = self._open(part.around, letters)
-        if self._tables.settled(part, {each.group: each.members for each in own}):
-            return Together([each.words(each.profiles) for each in own])
-        words = [each.example(each.profiles[0]) for each in around]
-        placed = {path: word for each in words for path, word in each.items()}
-        return Combinations(self._fitting, self.limit, part, tuple(own), placed).ways()
+        own, around = self._open(part.groups, letters), self._open(part.around, letters)
+        if part.whole:
+            return self._laid_out(own)
+        return Solving(self._systems.system(part, own, around), self._combining).ways()
 
     def _open(self, groups: Iterable[WordGroup], letters: Letters) -> list[Open]:
         """Return the groups that a layout reaches, with the words that have the right letters."""
         found = []
         for group in groups:
-            members, own = self._reached(group, letters), letters[group]
-            if members and own is not None:
-                profiles = self._tables.by_letters(group, members)[own]
-                found.append(Open(group, members, self._tables.profiles(group, members), profiles))
+            own = letters[group]
+            if own is not None:
+                found.append(self._tables.opened(group, self._reached(group, letters))[own])
         return found
+
+    def _laid_out(self, own: Sequence[Open]) -> Ways:
+        """Lay out all words, where nothing is known that would help."""
+        return Perhaps(Together([each.words() for each in own]))
 
 
 def _around(model: Model, group: WordGroup) -> frozenset[WordGroup]:

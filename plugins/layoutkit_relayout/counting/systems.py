@@ -44,9 +44,9 @@ class Link:
     spreads: tuple[tuple[Frame, Spread], ...] = ()
 
     @property
-    def ordered(self) -> bool:
-        """Whether the order of letters matters: then sizes may have gaps between their ends."""
-        return any(tie.ordered for tie in self.ties)
+    def uneven(self) -> bool:
+        """Whether places matter, not only sizes: then the sizes that are left open may have gaps."""
+        return any(tie.ordered or tie.aligned for tie in self.ties)
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +106,7 @@ class Systems:
         groups = {each.group: each for each in own}
         for tie in part.ties:
             bound = tuple(groups[group] for group in tie.groups if group in groups)
-            if tie.spoken and tie.groups:
+            if tie.spoken and (tie.groups or tie.aligned):
                 names = (self.frames.unknown(*frame) for frame in tie.frames)
                 frames = frozenset(name for name in names if name in ranges)
                 links.append(Link(frames, groups=bound, ties=(tie,)))

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from layoutkit.constraints import Alignment, Constraint, Frequency, SameSize, Size, Symmetry
+from layoutkit.constraints.instances import Instances
 from layoutkit.constraints.lock import Lock
 from layoutkit.constraints.word_rules import Counts
 from layoutkit.model import Extent, Word
@@ -55,6 +56,8 @@ class Tie:
         Whether nothing is known about it.
     spoken
         Whether it comes from a constraint, not from the regions alone.
+    aligned
+        Whether it leaves the choice to stand in line or apart.
     """
 
     frames: frozenset[Frame]
@@ -66,6 +69,7 @@ class Tie:
     paths: frozenset[str] = frozenset()
     whole: bool = False
     spoken: bool = True
+    aligned: bool = False
 
     @property
     def regions(self) -> frozenset[str]:
@@ -145,7 +149,7 @@ def _spoken(constraint: Constraint, model: Model) -> Iterator[Tie]:
 def _everything(model: Model, origin: Constraint | None) -> Tie:
     frames = frozenset((path, axis) for path in model.facade.regions for axis in (0, 1))
     groups = _open(model.groups)
-    return Tie(frames, groups, groups, None, origin, whole=True)
+    return Tie(frames, groups, groups, None, origin, whole=True, aligned=True)
 
 
 def _open(groups: Iterable[WordGroup]) -> frozenset[WordGroup]:
@@ -157,6 +161,14 @@ def above(model: Model, path: str) -> Iterator[WordGroup]:
     while path := path.rpartition("/")[0]:
         if model.group_of[path].forced is None:
             yield model.group_of[path]
+
+
+def _instances(constraint: Instances, model: Model) -> Iterator[Tie]:
+    """Yield the parents whose sizes a relative range hangs on, with the instances that their words name."""
+    if any(end is not None and end.relative for end in (constraint.min, constraint.max)):
+        parents = {path.rpartition("/")[0] for path in constraint.paths(model.facade)}
+        frames = frozenset((parent, model.axis(parent)) for parent in parents)
+        yield Tie(frames, _open(model.group_of[parent] for parent in parents), origin=constraint)
 
 
 def _none(constraint: Size, model: Model) -> Iterator[Tie]:
@@ -269,7 +281,8 @@ def _alignment(constraint: Alignment, model: Model) -> Iterator[Tie]:
     if frames:
         paths = frozenset((*sets[0], *sets[1], *((constraint.within,) if constraint.within else ())))
         found = None if even is None else frozenset(even)
-        yield Tie(frozenset(frames), frozenset(ordered), frozenset(ordered), found, constraint, paths=paths)
+        groups = frozenset(ordered)
+        yield Tie(frozenset(frames), groups, groups, found, constraint, paths=paths, aligned=True)
 
 
 def stem(model: Model, path: str, axis: int) -> tuple[str, ...]:
@@ -304,5 +317,6 @@ _KINDS: Mapping[type[Constraint], Callable[[Any, Model], Iterator[Tie]]] = {
     SameSize: _same_size,
     Symmetry: _symmetry,
     Lock: _lock,
+    Instances: _instances,
     Alignment: _alignment,
 }

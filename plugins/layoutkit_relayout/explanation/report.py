@@ -32,9 +32,10 @@ def diagnostics(explanation: Explanation, facade: Facade) -> tuple[Diagnostic, .
 def too_small(explanation: Explanation, facade: Facade) -> Diagnostic:
     """Return the diagnostic of a size at which nothing can be, whichever constraints are left out."""
     width, height = explanation.size
+    at = f"{width:g} × {height:g} {facade.units}"
     return Diagnostic(
         "LK203",
-        f"no constraint is at fault at {width:g} × {height:g} {facade.units}: there is no room for any region",
+        f"no constraint is at fault at {at}: there is no room for any region",
         hint=f"ask for a larger size: each region keeps at least {FLOOR:.0%} of what it has in the input",
         topic="sizing",
     )
