@@ -65,7 +65,6 @@ FACE_RULES: list[Constraint] = [
     Sequence(within=("H/F",), word=W("⊢ P W P ⊣")),
     Replication(within=("H/G",)),
     Repetition(within=("H/F",), pattern=Pattern.parse("P (W P)+")),
-    Reuse(within=S("@Floor - H/G"), like="H/G", symbols=(("D", "W"),)),
     Instances(of=S("H/F"), max=Measure(1.0)),
     Symmetry(of=("H/G",)),
     Lock(of=S("H/G"), keep=("size",)),
@@ -95,6 +94,17 @@ def across(rule: Constraint, parts: list[Wall]) -> bool:
     """Tell whether walls keep a rule across them all."""
     facade, layout = building(parts, replace(rule, scope="building"))
     return not own(layout.violations(), facade)
+
+
+def test_generators_are_carried_over_as_what_they_say_of_the_design() -> None:
+    like = Reuse(within=S("@Floor - H/G"), like="H/G", symbols=(("D", "W"),))
+    given_ = design(Replication(within=("H/G",)), like)
+    block = Mass((Block(width=9.0, depth=6.0, height=8.0),))
+    found = dressed(given_, block).constraints
+    assert all(isinstance(constraint, Sequence) for constraint in found)
+    paths = {path for c in found if isinstance(c, Sequence) for path in c.within}
+    names = [face.name for face in block.faces]
+    assert paths == {f"Building/{name}/{floor}" for name in names for floor in "FG"}
 
 
 @given(walls())

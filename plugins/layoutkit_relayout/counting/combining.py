@@ -104,6 +104,8 @@ class _Walk:
 
     def found(self) -> Iterator[tuple[Interval, Ways]]:
         """Yield what each combination leaves open for the frame; the same may come more than once."""
+        if not all(self.choices):
+            return
         ranges = {own: self.system.ranges[own] for own in self.link.frames}
         for own, spread in self.link.spreads:
             low, high = min(low for low, _ in spread), max(high for _, high in spread)
