@@ -12,9 +12,9 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise, takewhile
+from itertools import combinations, pairwise, takewhile
 from typing import NamedTuple
 
 import numpy as np
@@ -70,6 +70,8 @@ class _Part:
         How far each letter of the machine goes, in units; in mirrored words the middle one half as far.
     widths
         The width of each letter.
+    exact
+        Places as they are before rounding.
     mass
         For each state and place from which the end can be reached: the weight of all ways there.
     """
@@ -78,7 +80,12 @@ class _Part:
     steps: tuple[float, ...]
     widths: tuple[float, ...]
     moves: tuple[tuple[tuple[int, int], ...], ...]
+    exact: Mapping[int, float]
     mass: Mapping[tuple[int, int], float]
+
+    def ends(self, own: tuple[int, int, int]) -> bool:
+        """Tell whether a word may end where the voice is."""
+        return bool(self.voice.machine.accepting[own[0]]) and own[:2] in self.mass
 
 
 class Choir:
@@ -86,7 +93,9 @@ class Choir:
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        self._scores: dict[object, _Scores | None] = {}
+        self._walks: dict[object, _Walk] = {}
+        self._parts: dict[object, _Part] = {}
+        self._pairs: dict[object, _Pair] = {}
         self._insides: dict[tuple[str, int], tuple[tuple[str, float, float], ...]] = {}
         self._lines: dict[tuple[WordGroup, str, WordGroup, str], tuple[_Line, ...]] = {}
 
@@ -177,34 +186,48 @@ class Choir:
             What the words have to fill, more or less.
         """
         near = round(math.log(length) / _STEP)
-        key = (near, tuple((voice.group, voice.machine) for voice in voices))
-        if key not in self._scores:
-            self._scores[key] = self._prepared(voices, math.exp(near * _STEP))
-        prepared = self._scores[key]
         share, salt = generator.random(), int(generator.integers(2**62))
-        if prepared is None:
-            return None
-        return _performed(prepared.at(share), salt)
-
-    def _prepared(self, voices: Sequence[Voice], length: float) -> _Scores | None:
-        """Walk through the places of all voices; None where they have no length in common."""
         if len({voice.machine.spelled is None for voice in voices}) > 1:
             return None  # halves and whole words do not run side by side
-        unit = _NEAR * length / _UNITS
-        length /= unit * (1 if voices[0].machine.spelled is None else 2)
-        exact: dict[int, float] = {0: 0.0}
-        walks = [_walk(voice, self._widths(voice, unit), (1 + _REACH) * length, exact) for voice in voices]
+        end = self._end(voices, near, share)
+        return None if end is None else _performed(_Score(self, voices, near, end), salt)
+
+    def _end(self, voices: Sequence[Voice], near: int, share: float) -> int | None:
+        """Draw where all voices end together, near the length asked for; None where they cannot."""
+        length = (1.0 if voices[0].machine.spelled is None else 0.5) * _UNITS / _NEAR
         common: list[int] | None = None
-        for walk in walks:
-            ends = walk.ends((1 - _REACH) * length)
+        for voice in voices:
+            ends = self._walk(voice, near).ends((1 - _REACH) * length)
             if common is None:
                 common = ends
             else:
                 common = [end for end in common if any(abs(end - other) <= _UNITS for other in ends)]
         if not common:
             return None
-        nearness = np.array([math.exp(-abs(end / length - 1) / _TYPICAL) for end in common])
-        return _Scores(self, tuple(walks), exact, tuple(common), np.cumsum(nearness))
+        weights = np.cumsum([math.exp(-abs(end / length - 1) / _TYPICAL) for end in common])
+        return common[int(np.searchsorted(weights, share * weights[-1], side="right"))]
+
+    def _walk(self, voice: Voice, near: int) -> _Walk:
+        key = (voice.group, voice.machine, near)
+        if key not in self._walks:
+            unit = _NEAR / _UNITS * math.exp(near * _STEP)
+            far = (1 + _REACH) * (1.0 if voice.machine.spelled is None else 0.5) * _UNITS / _NEAR
+            self._walks[key] = _walk(voice, self._widths(voice, unit), far)
+        return self._walks[key]
+
+    def part(self, voice: Voice, near: int, end: int) -> _Part:
+        """Return a voice that ends at a place."""
+        key = (voice.group, voice.machine, near, end)
+        if key not in self._parts:
+            self._parts[key] = self._walk(voice, near).to(end)
+        return self._parts[key]
+
+    def pair(self, one: Voice, other: Voice, near: int, end: int) -> _Pair:
+        """Return two voices that end together."""
+        key = (one.group, one.machine, other.group, other.machine, near, end)
+        if key not in self._pairs:
+            self._pairs[key] = _Pair(self, (self.part(one, near, end), self.part(other, near, end)))
+        return self._pairs[key]
 
     def _widths(self, voice: Voice, unit: float) -> tuple[float, ...]:
         """Return the width of each letter of a voice, in units."""
@@ -300,6 +323,7 @@ class _Walk:
     steps: tuple[float, ...]
     widths: tuple[float, ...]
     moves: tuple[tuple[tuple[int, int], ...], ...]
+    exact: Mapping[int, float]
     following: Mapping[tuple[int, int], Sequence[tuple[int, tuple[int, int]]]]
 
     def ends(self, least: float) -> list[int]:
@@ -317,10 +341,10 @@ class _Walk:
                 total += mass.get(reached, 0.0) * float(weights[place[0], letter])
             if total > 0:
                 mass[place] = total
-        return _Part(self.voice, self.steps, self.widths, self.moves, mass)
+        return _Part(self.voice, self.steps, self.widths, self.moves, self.exact, mass)
 
 
-def _walk(voice: Voice, widths: tuple[float, ...], far: float, exact: dict[int, float]) -> _Walk:
+def _walk(voice: Voice, widths: tuple[float, ...], far: float) -> _Walk:
     """Go through all places, up to a length, that a voice reaches."""
     machine = voice.machine
     half = machine.spelled is not None
@@ -331,6 +355,7 @@ def _walk(voice: Voice, widths: tuple[float, ...], far: float, exact: dict[int, 
     moves = tuple(
         tuple((letter, int(after)) for letter, after in enumerate(row) if after >= 0) for row in machine.next
     )
+    exact: dict[int, float] = {0: 0.0}
     following: dict[tuple[int, int], list[tuple[int, tuple[int, int]]]] = {}
     pending = [] if machine.empty else [(0, 0)]
     for place in pending:  # which grows meanwhile
@@ -344,26 +369,7 @@ def _walk(voice: Voice, widths: tuple[float, ...], far: float, exact: dict[int, 
                 exact.setdefault(new, reached)
                 own.append((letter, (after, new)))
                 pending.append((after, new))
-    return _Walk(voice, steps, widths, moves, following)
-
-
-@dataclass(frozen=True, eq=False)
-class _Scores:
-    """Voices with the lengths that they have in common, near ones likelier; each made ready when drawn."""
-
-    choir: Choir
-    walks: tuple[_Walk, ...]
-    exact: dict[int, float]
-    ends: tuple[int, ...]
-    weights: Floats
-    made: dict[int, _Score] = field(default_factory=dict)
-
-    def at(self, share: float) -> _Score:
-        """Return the voices for the length at a share (0 to 1) of all weight."""
-        end = self.ends[int(np.searchsorted(self.weights, share * self.weights[-1], side="right"))]
-        if end not in self.made:
-            self.made[end] = _Score(self.choir, tuple(walk.to(end) for walk in self.walks), self.exact)
-        return self.made[end]
+    return _Walk(voice, steps, widths, moves, exact, following)
 
 
 class _Step(NamedTuple):
@@ -374,127 +380,132 @@ class _Step(NamedTuple):
     after: Moment
 
 
-class _Score:
-    """Voices made ready. What follows a moment, and what leads nowhere, is kept from draw to draw."""
+class _Pair:
+    """Two voices that end together. What follows a moment, and which ones lead to the end, is kept."""
 
-    def __init__(self, choir: Choir, parts: tuple[_Part, ...], exact: dict[int, float]) -> None:
-        self.choir, self.parts, self.exact = choir, parts, exact
-        self.dead: set[Moment] = set()
-        self._steps: dict[tuple[tuple[int, ...], Moment], tuple[_Step, ...]] = {}
-        self._completes: dict[tuple[int, int], dict[Moment, bool]] = defaultdict(dict)
-        self._clashing: dict[tuple[int, int, int, int, int], bool] = {}
+    def __init__(self, choir: Choir, parts: tuple[_Part, _Part]) -> None:
+        self.choir, self.parts = choir, parts
+        self.meet = choir.meet(parts[0].voice.group, parts[1].voice.group)
+        self._known: dict[Moment, bool] = {}
+        self._clashing: dict[tuple[int, int, int, int], bool] = {}
 
-    @cached_property
-    def all(self) -> tuple[int, ...]:
-        """The numbers of all voices."""
-        return tuple(range(len(self.parts)))
-
-    @cached_property
-    def _tied(self) -> tuple[tuple[int, ...], ...]:
-        """For each voice, those that it has to meet itself."""
-        groups = [part.voice.group for part in self.parts]
-        return tuple(
-            tuple(m for m, other in enumerate(groups) if m != n and self.choir.meet(group, other))
-            for n, group in enumerate(groups)
-        )
-
-    def steps(self, voices: tuple[int, ...], moment: Moment) -> tuple[_Step, ...]:
-        """Return the ways on from a moment of some voices; all pairs that meet have to be able to end."""
-        key = (voices, moment)
-        if key not in self._steps:
-            self._steps[key] = tuple(self._found(voices, moment))
-        return self._steps[key]
-
-    def _found(self, voices: tuple[int, ...], moment: Moment) -> Iterator[_Step]:
-        behind = min(range(len(voices)), key=lambda n: moment[n][1])
-        state, place, _ = moment[behind]
-        part = self.parts[voices[behind]]
-        level = max(own[1] for own in moment) - place <= _UNITS
-        if level and all(self._may_end(voice, own) for voice, own in zip(voices, moment, strict=True)):
-            yield _Step(1.0, -1, moment)
-        for letter, after in part.moves[state]:
-            new = round(self.exact[place] + part.steps[letter])
-            weight = part.mass.get((after, new), 0.0) * float(part.voice.weights[state, letter])
-            if weight <= 0 or self._clashes(voices, moment, behind, letter):
-                continue
-            following = (*moment[:behind], (after, new, letter), *moment[behind + 1 :])
-            if len(voices) == 2 or self._pairs_complete(voices, following, behind):
-                yield _Step(weight, letter, following)
-
-    def _may_end(self, voice: int, own: tuple[int, int, int]) -> bool:
-        part = self.parts[voice]
-        return bool(part.voice.machine.accepting[own[0]]) and own[:2] in part.mass
-
-    def _pairs_complete(self, voices: tuple[int, ...], moment: Moment, number: int) -> bool:
-        for other, voice in enumerate(voices):
-            if voice in self._tied[voices[number]]:
-                one, another = sorted((number, other))
-                if not self._completes_pair((voices[one], voices[another]), (moment[one], moment[another])):
-                    return False
-        return True
-
-    def _completes_pair(self, pair: tuple[int, int], moment: Moment) -> bool:
-        """Tell whether two voices can go on from a moment until both end."""
-        known = self._completes[pair]
+    def completes(self, moment: Moment) -> bool:
+        """Tell whether both can go on from a moment until they end."""
+        known = self._known
         if moment in known:
             return known[moment]
-        stack = [(moment, iter(self.steps(pair, moment)))]
+        stack = [(moment, self._steps(moment))]
         while stack:
             own, following = stack[-1]
-            step = next(following, None)
-            if step is None:
+            after = next(following, None)
+            if after is None:
                 known[own] = False
                 stack.pop()
-            elif step.letter < 0 or known.get(step.after, False):
+            elif after == own or known.get(after, False):
                 for passed, _ in stack:
                     known[passed] = True
                 return True
-            elif step.after not in known:
-                stack.append((step.after, iter(self.steps(pair, step.after))))
+            elif after not in known:
+                stack.append((after, self._steps(after)))
         return False
 
-    def _clashes(self, voices: tuple[int, ...], moment: Moment, number: int, letter: int) -> bool:
-        """Tell whether a letter, written by the voice that is behind, misses a line of another's last."""
-        at = moment[number][1]
-        return any(
-            other != number
-            and last >= 0
-            and end > at + 1
-            and self._clash(voices[number], letter, at, voices[other], last, end)
-            for other, (_, end, last) in enumerate(moment)
-        )
+    def _steps(self, moment: Moment) -> Iterator[Moment]:
+        """Yield the moments that may follow; the same one if both may end."""
+        behind = 0 if moment[0][1] <= moment[1][1] else 1
+        (state, place, _), (_, end, last) = moment[behind], moment[1 - behind]
+        part = self.parts[behind]
+        if end - place <= _UNITS and all(p.ends(own) for p, own in zip(self.parts, moment, strict=True)):
+            yield moment
+        for letter, after in part.moves[state]:
+            new = round(part.exact[place] + part.steps[letter])
+            if (after, new) in part.mass and not self.clash(behind, letter, place, last, end):
+                own = (after, new, letter)
+                yield (own, moment[1]) if behind == 0 else (moment[0], own)
 
-    def _clash(self, voice: int, letter: int, at: int, other: int, last: int, end: int) -> bool:
-        key = (voice, letter, other, last, end - at)
+    def clash(self, number: int, letter: int, at: int, last: int, end: int) -> bool:
+        """Tell whether a letter, written at a place by one voice, misses a line of the other's last letter.
+
+        Parameters
+        ----------
+        number
+            Which of the two writes.
+        last, end
+            The other's last letter, and where it ends.
+        """
+        if last < 0 or end <= at + 1:
+            return False
+        key = (number, letter, last, (end << 32) + at)
         if key not in self._clashing:
-            one, another = self.parts[voice], self.parts[other]
-            start = self.exact[at]
-            behind = self.exact[end] - another.steps[last]
-            spelled = one.voice.machine.parts[letter], another.voice.machine.parts[last]
-            lines = self.choir.lines(one.voice, spelled[0][0], another.voice, spelled[1][0])
+            one, other = self.parts[number], self.parts[1 - number]
+            start, behind = one.exact[at], other.exact[end] - other.steps[last]
+            spelled = one.voice.machine.parts[letter], other.voice.machine.parts[last]
+            lines = self.choir.lines(one.voice, spelled[0][0], other.voice, spelled[1][0])
             if one.voice.machine.spelled is not None:
-                far = self.choir.lines(one.voice, spelled[0][-1], another.voice, spelled[1][-1])
+                far = self.choir.lines(one.voice, spelled[0][-1], other.voice, spelled[1][-1])
                 lines = (*lines, *(line.mirrored() for line in far))
             self._clashing[key] = any(
-                line.clash(start, one.widths[letter], behind, another.widths[last]) for line in lines
+                line.clash(start, one.widths[letter], behind, other.widths[last]) for line in lines
             )
         return self._clashing[key]
+
+
+class _Score:
+    """All voices of one draw, and where they are to end together."""
+
+    def __init__(self, choir: Choir, voices: Sequence[Voice], near: int, end: int) -> None:
+        self.parts = tuple(choir.part(voice, near, end) for voice in voices)
+        self.pairs: list[list[tuple[int, _Pair]]] = [[] for _ in voices]
+        for one, other in combinations(range(len(voices)), 2):
+            if choir.meet(voices[one].group, voices[other].group):
+                pair = choir.pair(voices[one], voices[other], near, end)
+                self.pairs[one].append((other, pair))
+                self.pairs[other].append((one, pair))
+
+    def steps(self, moment: Moment) -> list[_Step]:
+        """Return the ways on from a moment; all pairs that meet have to be able to end."""
+        behind = min(range(len(moment)), key=lambda n: moment[n][1])
+        state, place, _ = moment[behind]
+        part = self.parts[behind]
+        found = []
+        level = max(own[1] for own in moment) - place <= _UNITS
+        if level and all(p.ends(own) for p, own in zip(self.parts, moment, strict=True)):
+            found.append(_Step(1.0, -1, moment))
+        for letter, after in part.moves[state]:
+            new = round(part.exact[place] + part.steps[letter])
+            weight = part.mass.get((after, new), 0.0) * float(part.voice.weights[state, letter])
+            if weight > 0 and self._suits(moment, behind, (after, new, letter)):
+                following = (*moment[:behind], (after, new, letter), *moment[behind + 1 :])
+                found.append(_Step(weight, letter, following))
+        return found
+
+    def _suits(self, moment: Moment, number: int, own: tuple[int, int, int]) -> bool:
+        """Tell whether a voice that is behind may go on to a place, as far as each other alone tells."""
+        at, letter = moment[number][1], own[2]
+        for other, pair in self.pairs[number]:
+            first = number < other
+            _, end, last = moment[other]
+            if pair.clash(0 if first else 1, letter, at, last, end):
+                return False
+            if not pair.completes((own, moment[other]) if first else (moment[other], own)):
+                return False
+        return True
 
 
 def _performed(score: _Score, salt: int) -> dict[WordGroup, Word] | None:
     """Draw once: go depth first from moment to moment, until all voices end together."""
     start: Moment = tuple((0, 0, -1) for _ in score.parts)
+    dead: set[Moment] = set()
     stack = [(start, _ordered(score, start, salt))]
     seen = 0
     while stack:
         moment, steps = stack[-1]
         step = next(steps, None)
         if step is None:
-            score.dead.add(moment)
+            dead.add(moment)
             stack.pop()
         elif step.letter < 0:
             return _spelled(score, [m for m, _ in stack])
-        elif step.after not in score.dead:
+        elif step.after not in dead:
             seen += 1
             if seen > _MOST_MOMENTS:
                 return None
@@ -505,10 +516,9 @@ def _performed(score: _Score, salt: int) -> dict[WordGroup, Word] | None:
 def _ordered(score: _Score, moment: Moment, salt: int) -> Iterator[_Step]:
     """Return the ways on from a moment in an order that is drawn by their weights (Gumbel's trick).
 
-    The order hangs on the draw and the moment alone, not on what was looked at before: what an earlier draw
-    has found dead changes nothing.
+    The order hangs on the draw and the moment alone, not on what was looked at before.
     """
-    steps = score.steps(score.all, moment)
+    steps = score.steps(moment)
     if len(steps) < 2:
         return iter(steps)
     behind = min(range(len(moment)), key=lambda n: moment[n][1])

@@ -69,6 +69,7 @@ class Model:
         self._bounds, self._shapes = _own_sizes(facade, self.constraints)
         self._hulls: dict[tuple[str, int, float], Interval] = {}
         self._contents: dict[tuple[str, frozenset[str], tuple[float, float]], Interval] = {}
+        self._holders: dict[frozenset[str], frozenset[str]] = {}
         self._closed_words: dict[str, dict[str, tuple[str, ...]]] = {}
 
     def at(self, size: tuple[float, float]) -> Model:
@@ -232,6 +233,13 @@ class Model:
                 return box.width, box.height
         return size
 
+    def holds(self, path: str, counted: frozenset[str]) -> bool:
+        """Tell whether counted regions can stand inside a region."""
+        if counted not in self._holders:
+            steps = (other.split("/") for other in counted)
+            self._holders[counted] = frozenset("/".join(s[:n]) for s in steps for n in range(1, len(s)))
+        return path in self._holders[counted]
+
     def content(self, path: str, counted: frozenset[str], size: tuple[float, float]) -> Interval:
         """Return least and greatest number of counted regions in one region of the path, itself included.
 
@@ -249,7 +257,7 @@ class Model:
 
     def _content(self, path: str, counted: frozenset[str], size: tuple[float, float]) -> Interval:
         region = self.facade.regions[path]
-        if region.split is None or not any(other.startswith(f"{path}/") for other in counted):
+        if region.split is None or not self.holds(path, counted):
             return 0.0, 0.0
         group = self.group_of[path]
         paths = [f"{path}/{group.symbols[path][letter]}" for letter in group.letters]

@@ -135,6 +135,8 @@ class Outlook:
 
     def _inside(self, path: str, counted: frozenset[str], apart: WordGroup | None) -> Interval:
         """Return how many counted regions stand in one region of the path, those of one group apart."""
+        if not self.model.holds(path, counted):
+            return 0.0, 0.0
         if path in self.words:
             low = high = 0.0
             for symbol, times in Counter(self.words[path]).items():

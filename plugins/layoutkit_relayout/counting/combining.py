@@ -66,6 +66,8 @@ class Combining:
         self.systems, self.laying, self.effort = systems, laying, effort
         self.scale = max(systems.frames.size)
         self.slack = NEAR * self.scale
+        self._known: dict[object, tuple[Link, Spread]] = {}
+        self._met: dict[tuple[int, ...], Spread] = {}
 
     def spread(self, links: Sequence[Link], frame: Frame | None, system: System) -> Spread:
         """Return the sizes that links leave open for a frame, with the ways to each.
@@ -75,12 +77,32 @@ class Combining:
         frame
             None: there is one entry, for any sizes.
         """
-        found: defaultdict[Interval, list[Ways]] = defaultdict(list)
-        walk = _Walk(self, united(links), frame, system)
-        for interval, ways in walk.found():
-            if ways.most:
-                found[interval].append(ways)
-        return {interval: Either(ways) for interval, ways in found.items()}
+        link = united(links)
+        key = (frame, *_signature(link, system))
+        if key not in self._known:
+            found: defaultdict[Interval, list[Ways]] = defaultdict(list)
+            for interval, ways in _Walk(self, link, frame, system).found():
+                if ways.most:
+                    found[interval].append(ways)
+            # The link is kept as well: its parts are told by their identity.
+            self._known[key] = link, {interval: Either(ways) for interval, ways in found.items()}
+        return self._known[key][1]
+
+    def met(self, spreads: Sequence[Spread]) -> Spread:
+        """Return the sizes that several spreads leave open together."""
+        key = tuple(map(id, spreads))
+        if key not in self._met:
+            found, *others = spreads
+            for other in others:
+                both: defaultdict[Interval, list[Ways]] = defaultdict(list)
+                for one, ways in found.items():
+                    for another, more in other.items():
+                        meeting = max(one[0], another[0]), min(one[1], another[1])
+                        if meeting[0] <= meeting[1] + self.slack:
+                            both[meeting].append(Together([ways, more]))
+                found = {interval: Either(ways) for interval, ways in both.items()}
+            self._met[key] = found
+        return self._met[key]
 
 
 class _Walk:
@@ -193,6 +215,15 @@ class _Walk:
                     factors[frame] = -1.0
                 sums.append(Sum(factors, given - stretch.rest[1], given - stretch.rest[0]))
             yield Step(tuple(sums), None, _ANY, Words(own.group, own.table, profile), (own, profile))
+
+
+def _signature(link: Link, system: System) -> tuple[object, ...]:
+    """Return all that the ways of a link hang on."""
+    rows = frozenset((frozenset(row.factors.items()), row.least, row.most) for row in link.rows)
+    ranges = frozenset((frame, system.ranges[frame]) for frame in link.frames)
+    spreads = frozenset((frame, id(spread)) for frame, spread in link.spreads)
+    words = frozenset(system.words.items()) if link.ties else None
+    return rows, ranges, link.groups, link.ties, spreads, words
 
 
 def _sum(row: Row) -> Sum:

@@ -7,12 +7,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from layoutkit.sizing.backends import refutation
+from layoutkit.sizing.qp import QP, Floats
 from layoutkit_relayout.counting.ties import Frame
 from layoutkit_relayout.model import Interval
 
 #: Sizes are equal, and rows hold, to this share of the facade's size.
 NEAR = 1e-9
-_STATUS_INFEASIBLE = 2
+#: How scipy says that there is none, and how daqp marks equalities.
+_INFEASIBLE, _EQUALITY = 2, 5
+#: A value out of reach, in units of the facade's size.
+_FAR = 10.0
 
 
 class Unknown(Exception):  # noqa: N818 - names the fact
@@ -78,43 +83,91 @@ def _solved(
     frame: Frame | None, sums: Sequence[Sum], ranges: Mapping[Frame, Interval], scale: float
 ) -> Interval | None:
     numbers = {own: number for number, own in enumerate(ranges)}
-    matrix = np.zeros((len(sums), len(numbers)))
-    for row, own in enumerate(sums):
+    matrix = np.zeros((len(numbers) + len(sums), len(numbers)))
+    matrix[: len(numbers)] = np.eye(len(numbers))
+    for row, own in enumerate(sums, len(numbers)):
         for name, factor in own.factors.items():
             matrix[row, numbers[name]] = factor
-    ends = np.array([(own.least, own.most) for own in sums]) / scale
-    bounds = [(low / scale, max(low, high) / scale) for low, high in ranges.values()]
-    objective = np.zeros(len(numbers))
-    found = []
-    for sign in (1.0, -1.0) if frame is not None else (1.0,):
-        if frame is not None:
-            objective[numbers[frame]] = sign
-        value = _least(objective, matrix, ends, bounds)
-        if value is None:
-            return None
-        found.append(sign * value * scale)
-    return (found[0], found[-1]) if frame is not None else (0.0, 0.0)
-
-
-def _least(
-    objective: np.ndarray, matrix: np.ndarray, ends: np.ndarray, bounds: Sequence[Interval]
-) -> float | None:
-    from scipy.optimize import linprog
-
-    equal = ends[:, 0] == ends[:, 1]
-    above, below = ~equal & np.isfinite(ends[:, 1]), ~equal & np.isfinite(ends[:, 0])
-    result = linprog(
-        objective,
-        np.vstack([matrix[above], -matrix[below]]),
-        np.concatenate([ends[above, 1], -ends[below, 0]]),
-        matrix[equal],
-        ends[equal, 0],
-        bounds,
-        method="highs",
-        options={"primal_feasibility_tolerance": NEAR, "dual_feasibility_tolerance": NEAR},
-    )
-    if result.status == _STATUS_INFEASIBLE:
+    ends = np.array([*((low, max(low, high)) for low, high in ranges.values()), *((s.least, s.most) for s in sums)])
+    program = _Program(matrix, ends[:, 0] / scale, ends[:, 1] / scale)
+    if frame is None:
+        return None if program.least(None, 1.0) is None else (0.0, 0.0)
+    found = [program.least(numbers[frame], sign) for sign in (1.0, -1.0)]
+    if found[0] is None or found[1] is None:
         return None
-    if result.x is None or result.status != 0:
-        raise Unknown(result.message)
-    return float(result.fun)
+    return found[0] * scale, -found[1] * scale
+
+
+@dataclass(frozen=True, eq=False)
+class _Program:
+    """`low` ≤ rows · x ≤ `high`, in units of the facade's size."""
+
+    rows: Floats
+    low: Floats
+    high: Floats
+
+    def least(self, number: int | None, sign: float) -> float | None:
+        """Return the least value of an unknown, or of its negative; None if nothing keeps the rows.
+
+        Without a number, any value will do.
+        """
+        found = self._nearest(number, sign)
+        if found is not None:
+            return found
+        nothing = np.zeros((0, self.rows.shape[1]))
+        problem = QP(nothing, np.zeros(0), np.zeros(0), self.rows, self.low, self.high)
+        return None if refutation(problem) is not None else self._exact(number, sign)
+
+    def _nearest(self, number: int | None, sign: float) -> float | None:
+        """Return the value nearest to one that is out of reach; None where that does not work out.
+
+        An active set method does that in a tenth of the time that a linear program takes.
+        """
+        import daqp
+
+        count = self.rows.shape[1]
+        hessian, linear = np.eye(count), np.full(count, -0.5)
+        if number is not None:
+            hessian, linear = np.zeros((count, count)), np.zeros(count)
+            hessian[number, number], linear[number] = 1.0, sign * _FAR
+        equal = np.where(self.low == self.high, _EQUALITY, 0).astype(np.int32)
+        x, _, flag, _ = daqp.solve(
+            hessian,
+            linear,
+            self.rows,
+            self.high,
+            self.low,
+            equal,
+            primal_tol=1e-11,
+            dual_tol=1e-11,
+            eta_prox=1e-12,
+        )
+        if flag != 1:
+            return None
+        values = self.rows @ x
+        if max(np.max(self.low - values), np.max(values - self.high)) > NEAR:
+            return None
+        return 0.0 if number is None else sign * float(x[number])
+
+    def _exact(self, number: int | None, sign: float) -> float | None:
+        from scipy.optimize import linprog
+
+        equal = self.low == self.high
+        objective = np.zeros(self.rows.shape[1])
+        if number is not None:
+            objective[number] = sign
+        result = linprog(
+            objective,
+            np.vstack([self.rows[~equal], -self.rows[~equal]]),
+            np.concatenate([self.high[~equal], -self.low[~equal]]),
+            self.rows[equal],
+            self.low[equal],
+            (None, None),
+            method="highs",
+            options={"primal_feasibility_tolerance": NEAR, "dual_feasibility_tolerance": NEAR},
+        )
+        if result.status == _INFEASIBLE:
+            return None
+        if result.status != 0:
+            raise Unknown(result.message)
+        return float(result.fun)

@@ -44,7 +44,7 @@ class Solving:
         """Return the sizes that some links leave open for a frame, with the ways to each."""
         pieces = _connected(links, frame)
         found = [self.combining.spread(self._core(piece, frame), frame, self.system) for piece in pieces]
-        return self._met(found)
+        return self.combining.met(found)
 
     def _core(self, links: Links, kept: Frame | None) -> Links:
         """Cut off, at single frames, all that can be: what is left has the frame that is kept."""
@@ -73,19 +73,6 @@ class Solving:
                 chosen = set(inside)
                 return frame, inside, tuple(link for link in links if link not in chosen)
         return None
-
-    def _met(self, spreads: Sequence[Spread]) -> Spread:
-        """Return the sizes that several spreads leave open together."""
-        found, *others = spreads
-        for other in others:
-            met: defaultdict[Interval, list[Ways]] = defaultdict(list)
-            for one, ways in found.items():
-                for another, more in other.items():
-                    both = max(one[0], another[0]), min(one[1], another[1])
-                    if both[0] <= both[1] + self.combining.slack:
-                        met[both].append(Together([ways, more]))
-            found = {interval: Either(ways) for interval, ways in met.items()}
-        return found
 
 
 def _main(pieces: Sequence[Links], kept: Frame | None) -> Links:

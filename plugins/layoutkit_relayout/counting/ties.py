@@ -272,6 +272,7 @@ def _alignment(constraint: Alignment, model: Model) -> Iterator[Tie]:
             if groups and even is not None:
                 heads = [_parent(way[0]) for way in ways if way]
                 alike = base and len(heads) == 2 and {model.group_of[head] for head in heads} == groups
+                alike = alike and len(groups) == 1
                 even = even | {(heads[0], heads[1])} if alike else None
     contexts: tuple[Word | None, ...] = (constraint.first_before, constraint.first_after)
     contexts += (constraint.second_before, constraint.second_after)
