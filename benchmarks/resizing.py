@@ -100,11 +100,10 @@ def keeping(facade: Facade, words: dict[str, tuple[str, ...]]) -> Resize:
 
     Each step starts from the same initial sizes, so that a drag is smooth.
     """
-    measures = Measures(Model(facade), (facade.root.width, facade.root.height), BACKENDS)
+    measures = Measures(Model(facade), BACKENDS)
 
     def resize(size: Size) -> Region | None:
-        measures.size = size
-        return measures.whole(words, np.random.default_rng(0), _PROBLEMS).root
+        return measures.whole(words, size, np.random.default_rng(0), _PROBLEMS).root
 
     return resize
 

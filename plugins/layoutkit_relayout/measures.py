@@ -17,7 +17,7 @@ from layoutkit.sizing.rules import Range, SizeRule
 from layoutkit.sizing.solve import Axis, Budget, Conflict, size_axis
 from layoutkit_relayout.draws import Distributions
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.variants import enough, unnamed
+from layoutkit_relayout.variants import VariedFacade, enough, unnamed
 
 Words = Mapping[str, tuple[str, ...]]
 
@@ -40,65 +40,66 @@ class _Prepared:
     arrangement: Arrangement
     axes: tuple[Axis, Axis]
     distributions: tuple[Distributions, Distributions]
+    natural: Mapping[str, float]
 
 
 class Measures:
-    """Sizes words of one facade; what does not hang on the size or the draw is kept.
+    """Sizes words of one facade; what does not hang on the size or the draw is kept."""
 
-    Parameters
-    ----------
-    size
-        Width and height, in document units.
-    """
-
-    def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
-        self.model, self.size, self.backends = model, size, tuple(backends)
+    def __init__(self, model: Model, backends: Sequence[Backend]) -> None:
+        self.model, self.backends = model, tuple(backends)
         self._prepared: OrderedDict[frozenset[tuple[str, tuple[str, ...]]], _Prepared] = OrderedDict()
 
-    def whole(self, words: Words, generator: np.random.Generator, problems: int) -> Measured:
+    def whole(
+        self, words: Words, size: tuple[float, float], generator: np.random.Generator, problems: int
+    ) -> Measured:
         """Size both axes of a complete choice of words.
 
         Parameters
         ----------
+        size
+            Width and height of the layout, in document units.
         problems
             QPs that each axis may cost.
         """
-        prepared = self._prepare(words)
+        prepared = self._prepare(words, size)
         values = []
         for axis, distributions in zip(prepared.axes, prepared.distributions, strict=True):
             drawn = distributions.draw(generator)
-            sized = size_axis(axis, self.size[axis.number], drawn, self.backends, Budget(problems))
+            sized = size_axis(axis, size[axis.number], drawn, self.backends, Budget(problems))
             if sized.values is None:
                 return Measured(None, sized.conflict)
             values.append(sized.values)
-        root = unnamed(region_tree(prepared.arrangement, values))
-        if not enough(root, self.model.demands, self.model.facade, CONSTRAINT_TOLERANCE * max(self.size)):
+        root = region_tree(prepared.arrangement, values)
+        if isinstance(self.model.facade, VariedFacade):
+            root = unnamed(root)
+        if not enough(root, self.model.demands, self.model.facade, CONSTRAINT_TOLERANCE * max(size)):
             return Measured(None)  # they came out alike: another draw might not
         return Measured(root)
 
-    def preview(self, words: Words) -> Mapping[str, tuple[float, float]]:
+    def preview(self, words: Words, size: tuple[float, float]) -> Mapping[str, tuple[float, float]]:
         """Return the likely width and height of what has no word yet, where words are chosen in part.
 
         Every region has its share of its parent, by what is inside it as far as that is known.
         """
-        prepared = self._prepare(self.model.completed(self.model.with_forced(words)))
+        prepared = self._prepare(self.model.completed(self.model.with_forced(words)), size)
         arrangement = prepared.arrangement
-        values = [axis.nominal for axis in prepared.axes]
+        values = [arrangement.nominal(n, size[n], prepared.natural.__getitem__) for n in (0, 1)]
         return {
             path: (value(frame.extent[0], values[0]), value(frame.extent[1], values[1]))
             for path, frame in arrangement.frames.items()
             if path in self.model.group_of and path not in arrangement.words
         }
 
-    def ahead(self, words: Words, axis: int, problems: int) -> Conflict | None:
+    def ahead(self, words: Words, size: tuple[float, float], axis: int, problems: int) -> Conflict | None:
         """Return why an axis of a partial choice of words cannot be sized; None if it can, or perhaps can."""
-        prepared = self._prepare(self.model.completed(self.model.with_forced(words)))
+        prepared = self._prepare(self.model.completed(self.model.with_forced(words)), size)
         drawn = prepared.distributions[axis].likeliest()
-        sized = size_axis(prepared.axes[axis], self.size[axis], drawn, self.backends, Budget(problems))
+        sized = size_axis(prepared.axes[axis], size[axis], drawn, self.backends, Budget(problems))
         # What the budget left open is decided when all words are there.
         return sized.conflict
 
-    def _prepare(self, words: Words) -> _Prepared:
+    def _prepare(self, words: Words, size: tuple[float, float]) -> _Prepared:
         key = frozenset(words.items())
         if key in self._prepared:
             self._prepared.move_to_end(key)
@@ -111,12 +112,15 @@ class Measures:
                 n,
                 arrangement.variables[n],
                 [rule for rule in rules if rule.axis == n],
-                np.array(arrangement.nominal(n, self.size[n], natural.__getitem__)),
+                np.array(arrangement.nominal(n, size[n], natural.__getitem__)),
             )
             for n in (0, 1)
         ]
         prepared = _Prepared(
-            arrangement, (axes[0], axes[1]), (Distributions(axes[0].targets), Distributions(axes[1].targets))
+            arrangement,
+            (axes[0], axes[1]),
+            (Distributions(axes[0].targets), Distributions(axes[1].targets)),
+            natural,
         )
         self._prepared[key] = prepared
         if len(self._prepared) > _KEPT:

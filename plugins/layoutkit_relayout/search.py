@@ -108,7 +108,7 @@ class Search:
     def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
         self.model, self.size = model.at(size), size
         self.candidates = Candidates(self.model, size)
-        self.measures = Measures(self.model, size, backends)
+        self.measures = Measures(self.model, backends)
 
     def variation(self, seed: int, index: int, node_limit: int) -> Found:
         """Find one layout; variation `index` of a seed is the same whichever others are made."""
@@ -120,7 +120,7 @@ class Search:
             descent = _Descent(self, progress, shares, _generator(seed, index, 0))
             for words in descent.complete():
                 sizes = _generator(seed, index, 1)
-                measured = self.measures.whole(words, sizes, patience.problems)
+                measured = self.measures.whole(words, self.size, sizes, patience.problems)
                 if measured.root is not None:
                     return Found("found", measured.root, progress.used)
                 progress.undecided |= measured.conflict is None
@@ -143,7 +143,7 @@ class Search:
         generator = np.random.default_rng(0)
         descent = _Descent(self, progress, {}, generator)
         for words in descent.complete():
-            measured = self.measures.whole(words, generator, progress.patience.problems)
+            measured = self.measures.whole(words, self.size, generator, progress.patience.problems)
             if measured.root is not None:
                 yield words
             elif measured.conflict is None:
@@ -239,7 +239,7 @@ class _Descent:
             return known  # not quite what it would be now, but near enough
         if all(longest - shortest <= 1e-9 * longest for _, (shortest, longest) in question.members):
             return {}
-        return self.search.measures.preview(self._outlook.words)
+        return self.search.measures.preview(self._outlook.words, self.search.size)
 
     def _candidates(self, group: WordGroup, question: Question, preview: Preview) -> Iterator[Candidate]:
         """Yield words for a group: as planned, then together with groups that it has to meet, then any."""
@@ -349,7 +349,8 @@ class _Descent:
         group = self.levels[-1].group
         if not any(m in words for g in self.model.neighbours(group) for m in g.members):
             return None
-        conflict = self.search.measures.ahead(words, self.model.axis(group.members[0]), _AHEAD)
+        axis = self.model.axis(group.members[0])
+        conflict = self.search.measures.ahead(words, self.search.size, axis, _AHEAD)
         return None if conflict is None else self._blame(conflict)
 
     def _dead_since(self, group: WordGroup) -> int:

@@ -10,12 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from layoutkit.sizing.qp import Backend
-from layoutkit.sizing.solve import Conflict
 from layoutkit_relayout.counting.combining import Combining
 from layoutkit_relayout.counting.effort import Effort
 from layoutkit_relayout.counting.frames import Frames
-from layoutkit_relayout.counting.laying import PROBLEMS, Laying
+from layoutkit_relayout.counting.laying import Laying
 from layoutkit_relayout.counting.parts import Joined, Part, parts_of
 from layoutkit_relayout.counting.solving import Solving
 from layoutkit_relayout.counting.systems import Systems
@@ -23,8 +21,8 @@ from layoutkit_relayout.counting.tables import Open, Tables
 from layoutkit_relayout.counting.ties import above
 from layoutkit_relayout.counting.ways import Either, Perhaps, Together, Ways
 from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.measures import Measures
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.search import Search
 
 #: For each group, which of the letters that matter to others occur, as bits; None where it is not reached.
 Letters = Mapping[WordGroup, int | None]
@@ -40,11 +38,10 @@ class Census:
 
     Parameters
     ----------
-    size
-        Width and height, in document units.
+    search
+        Of the facade, at the size.
     limit
-        Arrangements that may be sized; what is not known then, and combinations that are too many to go
-        through, make the number uncertain.
+        Programs that may be solved; what is not known then makes the number uncertain.
 
     Attributes
     ----------
@@ -59,20 +56,18 @@ class Census:
         If groups lie in each other.
     """
 
-    def __init__(
-        self, model: Model, size: tuple[float, float], backends: Sequence[Backend], limit: int
-    ) -> None:
-        self.model, self.effort = model, Effort(limit)
-        self._parts = parts_of(model)
-        self._tables = Tables(model, self._parts, size)
-        measures = Measures(model, size, backends)
-        self._systems = Systems(model, self._parts, self._tables, Frames(model, size), measures)
-        laying = Laying(self._systems, backends, self.effort)
+    def __init__(self, search: Search, limit: int) -> None:
+        self.model, self.effort = search.model, Effort(limit)
+        self._parts = parts_of(self.model)
+        self._tables = Tables(self.model, self._parts, search.size)
+        frames = Frames(self.model, search.size)
+        self._systems = Systems(self.model, self._parts, self._tables, frames, search.measures)
+        laying = Laying(self._systems, search.measures.backends, self.effort)
         self._combining = Combining(self._systems, laying, self.effort)
-        self._around = {group: _around(model, group) for group in model.groups if group.forced is None}
+        self._around = {group: _around(self.model, group) for group in self.model.groups if group.forced is None}
         self._known: dict[object, Ways] = {}
         self.ways: Ways = Either(())
-        if not any(isinstance(measures.ahead({}, axis, PROBLEMS), Conflict) for axis in (0, 1)):
+        if laying.possible():
             self.ways = self._all(_from_outside(self._around), self._parts, {})
 
     def words(self, rank: int) -> dict[str, Word]:

@@ -40,6 +40,12 @@ class Laying:
     def __init__(self, systems: Systems, backends: Sequence[Backend], effort: Effort) -> None:
         self.systems, self.backends, self.effort = systems, tuple(backends), effort
 
+    def possible(self) -> bool:
+        """Tell whether what is given can be sized, all words being open; False is a proof."""
+        arrangement = self.systems.arrangement({})
+        rules = self.systems.rules(arrangement)
+        return all(self._sized(arrangement, axis, rules) is not False for axis in (0, 1))
+
     def counted(self, ties: Iterable[Tie], arrangement: Framed) -> bool:
         """Tell whether all frequencies hold that do not hang on sizes."""
         return all(_counted(tie.counts, arrangement) for tie in ties if tie.counts is not None)
