@@ -237,8 +237,9 @@ def _lock(constraint: Lock, model: Model) -> Iterator[Tie]:
         yield from (Tie(own) for own in frames)
         return
     groups = _open({group for path in placed for group in above(model, path)})
-    anchored = {(own, axis) for path in placed for axis in (0, 1) for own in (path, *stem(model, path, axis))}
-    everything = frozenset().union(*frames, anchored)
+    anchored = [_placing(stem(model, path, axis), axis, model) for path in placed for axis in (0, 1)]
+    spans = {(path, axis) for path in placed for axis in (0, 1)}
+    everything = frozenset().union(*frames, *anchored, spans)
     yield Tie(everything, groups, groups, None if groups else frozenset(), constraint, paths=frozenset(placed))
 
 
@@ -266,7 +267,7 @@ def _alignment(constraint: Alignment, model: Model) -> Iterator[Tie]:
             ways = one[common:], other[common:]
             if base and (not any(ways) or (all(ways) and _parent(ways[0][0]) == _parent(ways[1][0]))):
                 continue
-            frames |= {(path, axis) for path in (first, second, *one, *other)}
+            frames |= {(path, axis) for path in (first, second)} | _placing((*one, *other), axis, model)
             groups = _open({model.group_of[_parent(path)] for way in ways for path in way})
             ordered |= groups
             if groups and even is not None:
@@ -291,6 +292,13 @@ def stem(model: Model, path: str, axis: int) -> tuple[str, ...]:
     steps = path.split("/")
     own = ["/".join(steps[:number]) for number in range(2, len(steps) + 1)]
     return tuple(path for path in own if model.axis(_parent(path)) == axis)
+
+
+def _placing(stem: Iterable[str], axis: int, model: Model) -> set[Frame]:
+    """Return all frames that say where the regions of a stem stand in their parents."""
+    parents = {_parent(path) for path in stem}
+    inside = {f"{p}/{symbol}" for p in parents for symbol in model.group_of[p].symbols[p].values()}
+    return {(path, axis) for path in (*parents, *inside)}
 
 
 def _base(model: Model, path: str, axis: int) -> object:
