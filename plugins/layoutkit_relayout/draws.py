@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from layoutkit.sizing.qp import Floats
 from layoutkit.sizing.rules import Target
@@ -18,6 +19,10 @@ class Distributions:
     """The distributions of some targets, as arrays."""
 
     def __init__(self, targets: Sequence[Target]) -> None:
+        self._uniform, self._triangular = (
+            np.array([t.distribution == name for t in targets], dtype=bool)
+            for name in ("uniform", "triangular")
+        )
         self.centre = np.array([t.centre for t in targets])
         self.deviation = np.array([t.deviation for t in targets])
         self.least = np.array([t.least for t in targets])
@@ -30,11 +35,29 @@ class Distributions:
 
         A narrow distribution pulls harder, as least squares weigh errors.
         """
-        return Drawn(self._normal(generator.random(len(self.centre))), self.weights)
+        share = generator.random(len(self.centre))
+        sizes = self._normal(share)
+        if self._uniform.any():
+            least, most = self.least[self._uniform], self.most[self._uniform]
+            sizes[self._uniform] = least + share[self._uniform] * (most - least)
+        if self._triangular.any():
+            sizes[self._triangular] = self._tents(self._triangular, share)
+        return Drawn(sizes, self.weights)
 
     def likeliest(self) -> Drawn:
         """Return the centres, where nothing is to be drawn."""
         return Drawn(np.clip(self.centre, self.least, self.most), self.weights)
+
+    def _tents(self, own: NDArray[np.bool_], share: Floats) -> Floats:
+        """Draw from triangular distributions: their modes are the centres."""
+        least, most, mode, share = self.least[own], self.most[own], self.centre[own], share[own]
+        span = np.maximum(most - least, 1e-300)
+        rising = share * span < mode - least
+        return np.where(
+            rising,
+            least + np.sqrt(share * span * (mode - least)),
+            most - np.sqrt((1 - share) * span * (most - mode)),
+        )
 
     def _normal(self, share: Floats) -> Floats:
         from scipy.special import ndtr, ndtri

@@ -312,15 +312,15 @@ def word_rules(facade: Facade, constraints: Sequence[Constraint]) -> list[WordRu
 def _own_sizes(
     facade: Facade, constraints: Sequence[Constraint]
 ) -> tuple[dict[str, Interval], dict[str, tuple[float, float]]]:
-    """Return the bounds of each region with a size constraint, and centre and deviation of the last one."""
+    """Return the bounds of each region with a size constraint, and centre and deviation of the first one."""
     bounds: dict[str, Interval] = {}
     shapes: dict[str, tuple[float, float]] = {}
     for constraint in constraints:
         if isinstance(constraint, Size):
             for path in facade.select(constraint.of):
-                size = input_size(facade, path)
                 bounds[path] = meet(bounds.get(path, ANY), constraint.bounds(facade, path))
-                shapes[path] = constraint.centre.of(size), constraint.deviation.of(size)
+                if path not in shapes:  # defaults stand behind what the document says
+                    shapes[path] = constraint.shape(facade, path)
     return bounds, shapes
 
 

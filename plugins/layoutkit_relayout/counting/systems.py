@@ -102,11 +102,12 @@ class Systems:
                     ranges[frame] = max(ranges[frame][0], ends[0]), min(ranges[frame][1], ends[1])
             else:
                 possible &= row.least <= self._slack and row.most >= -self._slack
+        possible &= all(low <= high + self._slack for low, high in ranges.values())
         links += [Link(self._frames_of(each), groups=(each,)) for each in own]
         groups = {each.group: each for each in own}
         for tie in part.ties:
             bound = tuple(groups[group] for group in tie.groups if group in groups)
-            if tie.spoken and (tie.groups or tie.aligned):
+            if tie.groups and tie.spoken or tie.aligned or tie.counts is not None:
                 names = (self.frames.unknown(*frame) for frame in tie.frames)
                 frames = frozenset(name for name in names if name in ranges)
                 links.append(Link(frames, groups=bound, ties=(tie,)))
