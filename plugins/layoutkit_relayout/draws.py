@@ -53,11 +53,8 @@ class Distributions:
         least, most, mode, share = self.least[own], self.most[own], self.centre[own], share[own]
         span = np.maximum(most - least, 1e-300)
         rising = share * span < mode - least
-        return np.where(
-            rising,
-            least + np.sqrt(share * span * (mode - least)),
-            most - np.sqrt((1 - share) * span * (most - mode)),
-        )
+        up, down = np.sqrt(share * span * (mode - least)), np.sqrt((1 - share) * span * (most - mode))
+        return np.asarray(np.where(rising, least + up, most - down))
 
     def _normal(self, share: Floats) -> Floats:
         from scipy.special import ndtr, ndtri
