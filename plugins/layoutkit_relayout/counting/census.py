@@ -10,22 +10,28 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+import numpy as np
+
 from layoutkit_relayout.counting.combining import Combining
 from layoutkit_relayout.counting.effort import Effort
 from layoutkit_relayout.counting.frames import Frames
-from layoutkit_relayout.counting.laying import Laying
+from layoutkit_relayout.counting.laying import PROBLEMS, Laying
 from layoutkit_relayout.counting.parts import Joined, Part, parts_of
 from layoutkit_relayout.counting.solving import Solving
 from layoutkit_relayout.counting.systems import Systems
 from layoutkit_relayout.counting.tables import Open, Tables
 from layoutkit_relayout.counting.ties import above
-from layoutkit_relayout.counting.ways import Either, Perhaps, Together, Ways
+from layoutkit_relayout.counting.ways import Choice, Either, Listed, Perhaps, Together, Ways
 from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.outlook import Outlook, Words
 from layoutkit_relayout.search import Search
 
 #: For each group, which of the letters that matter to others occur, as bits; None where it is not reached.
 Letters = Mapping[WordGroup, int | None]
+#: Sizes drawn for words whose instances come out alike, before nothing is known of them.
+_DRAWS = 3
+
 Word = tuple[str, ...]
 
 
@@ -57,7 +63,7 @@ class Census:
     """
 
     def __init__(self, search: Search, limit: int) -> None:
-        self.model, self.effort = search.model, Effort(limit)
+        self.search, self.model, self.effort = search, search.model, Effort(limit)
         self._parts = parts_of(self.model)
         self._tables = Tables(self.model, self._parts, search.size)
         frames = Frames(self.model, search.size)
@@ -72,7 +78,10 @@ class Census:
 
     def words(self, rank: int) -> dict[str, Word]:
         """Return the words of the arrangement of a rank, by symbol path."""
-        choice = self.ways.at(rank)
+        return self._placed(self.ways.at(rank))
+
+    def _placed(self, choice: Choice) -> dict[str, Word]:
+        """Return the words of all regions that a layout reaches."""
         found: dict[str, Word] = {}
         for path in self.model.reached(found):  # what is added here is reached in turn
             group = self.model.group_of[path]
@@ -153,8 +162,27 @@ class Census:
         return found
 
     def _laid_out(self, own: Sequence[Open]) -> Ways:
-        """Lay out all words, where nothing is known that would help."""
-        return Perhaps(Together([each.words() for each in own]))
+        """Lay out all words of a part that is the whole facade, where nothing is known that would help."""
+        everything = Together([each.words() for each in own])
+        if everything.most > self.effort.left:
+            return Perhaps(everything)
+        found: dict[bool | None, list[Choice]] = {True: [], None: [], False: []}
+        for rank in range(everything.most):
+            choice = everything.at(rank)
+            found[self._exists(self._placed(choice))].append(choice)
+        return Either([Listed(found[True]), Perhaps(Listed(found[None]))])
+
+    def _exists(self, words: Words) -> bool | None:
+        """Tell whether whole words can be laid out; None where that is not known."""
+        self.effort.spent += 1
+        if not Outlook(self.model, self.search.size, words).counted():
+            return False
+        for seed in range(_DRAWS):
+            generator = np.random.default_rng(seed)
+            measured = self.search.measures.whole(words, self.search.size, generator, PROBLEMS)
+            if measured.root is not None or measured.conflict is not None:
+                return measured.root is not None
+        return None
 
 
 def _around(model: Model, group: WordGroup) -> frozenset[WordGroup]:

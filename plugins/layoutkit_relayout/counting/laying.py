@@ -131,6 +131,8 @@ class Laying:
         size = self.systems.frames.size[axis]
         nominal = np.array(arrangement.nominal(axis, size, self.systems.model.centre))
         own = [rule for rule in rules if rule.axis == axis]
+        if any(isinstance(rule, Range) and np.inf in (rule.least, -rule.most) for rule in own):
+            return False  # a region that no word fills
         rows = Axis(axis, arrangement.variables[axis], own, nominal)
         drawn = Distributions(rows.targets).likeliest()
         sized = size_axis(rows, size, drawn, self.backends, Budget(PROBLEMS))

@@ -18,6 +18,8 @@ from layoutkit_relayout.model import Interval, Model
 _GRAIN = 1e-13
 #: Words fit a given length to this share of it, as in the search.
 _SLACK = 1e-9
+#: More than any region counts.
+_MANY = 2**40
 
 Word = tuple[str, ...]
 Members = tuple[str, ...]
@@ -198,8 +200,8 @@ class Tables:
         free = self.free(group, letter)
         least = [max(1, self._whole(low)) for low, _ in hulls]
         counts = [
-            int(self.model.content(f"{member}/{group.symbols[member][letter]}", counted, self.size)[0])
-            for member, counted in limits
+            int(min(self.model.content(f"{m}/{group.symbols[m][letter]}", counted, self.size)[0], _MANY))
+            for m, counted in limits
         ]
         most = [self._whole(high) for _, high in hulls]
         nothing = [0] * len(members)
@@ -215,7 +217,7 @@ class Tables:
             for member in members:
                 if member == rule.path or member.startswith(f"{rule.path}/"):
                     key = (member, rule.counted)
-                    found[key] = min(found.get(key, 2**62), math.floor(rule.most.value + 1e-6))
+                    found[key] = min(found.get(key, _MANY), math.floor(rule.most.value + 1e-6))
         return found
 
     def _hull(self, group: WordGroup, member: str, letter: str) -> Interval:
@@ -233,7 +235,7 @@ class Tables:
         return _GRAIN * max(self.size)
 
     def _whole(self, length: float) -> int:
-        return round(min(length, 4 * max(self.size)) / self._grain)
+        return round(min(max(length, 0.0), 4 * max(self.size)) / self._grain)
 
 
 def _children(group: WordGroup, letter: str) -> list[str]:
