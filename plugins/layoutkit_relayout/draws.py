@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import ndtr, ndtri
 
 from layoutkit.sizing.qp import Floats
 from layoutkit.sizing.rules import Target
@@ -57,8 +58,6 @@ class Distributions:
         return np.asarray(np.where(rising, least + up, most - down))
 
     def _normal(self, share: Floats) -> Floats:
-        from scipy.special import ndtr, ndtri
-
         deviation = np.where(self.deviation > 0, self.deviation, 1.0)
         low, high = (self.least - self.centre) / deviation, (self.most - self.centre) / deviation
         # Ranges above the centre are mirrored: the lower tail has the better resolution.

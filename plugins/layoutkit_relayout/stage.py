@@ -163,7 +163,7 @@ def _none(facade: Facade, size: tuple[float, float], status: str, nodes: int) ->
         return Diagnostic(
             "LK203",
             f"these constraints cannot hold together at {at}",
-            hint="ask for another size, widen size ranges, or allow more arrangements by further sequences",
+            hint="`layoutkit explain` at this size names those in conflict, and what would help",
             topic="search",
         )
     return Diagnostic(

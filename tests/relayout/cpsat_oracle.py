@@ -65,6 +65,7 @@ def solve(
     program.fix(words or {})
     solver = cp_model.CpSolver()
     solver.parameters.num_workers = 1
+    solver.parameters.linearization_level = 2  # the quickest for these, as tried
     solver.parameters.max_time_in_seconds = seconds
     status = solver.solve(program.model)
     if status in (cp_model.OPTIMAL, cp_model.FEASIBLE):
@@ -170,7 +171,12 @@ class _Program:
                 self.model.add(cut - cuts[-1] == sizes[symbol][2]).only_enforce_if(literal)
             self.model.add(cut == cuts[-1]).only_enforce_if([literal.Not() for literal in own.values()])
             cuts.append(cut)
-        self._near(cuts[-1], self.extents[path, axis], self._slack(len(letters)), [self.used[path]])
+        extent, slack, used = self.extents[path, axis], self._slack(len(letters)), self.used[path]
+        self._near(cuts[-1], extent, slack, [used])
+        # Implied, and a help to the solver: what the letters need at the least and fill at the most.
+        for end, sign in ((0, 1), (1, -1)):
+            total = sum(sizes[s][end] * literal for own in letters for s, literal in own.items())
+            self.model.add(sign * (extent - total) >= -slack).only_enforce_if(used)
         return tuple(cuts)
 
     def _near(self, one: Linear, other: Linear, slack: int, literals: Sequence[Bool]) -> None:

@@ -67,8 +67,8 @@ class Census:
         self._parts = parts_of(self.model)
         self._tables = Tables(self.model, self._parts, search.size)
         frames = Frames(self.model, search.size)
-        self._systems = Systems(self.model, self._parts, self._tables, frames, search.measures)
-        laying = Laying(self._systems, search.measures.backends, self.effort)
+        self._systems = Systems(self.model, self._parts, self._tables, frames)
+        laying = Laying(self._systems, search.measures, self.effort)
         self._combining = Combining(self._systems, laying, self.effort)
         self._around = {group: _around(self.model, group) for group in self.model.groups if group.forced is None}
         self._known: dict[object, Ways] = {}

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
-from layoutkit.sizing.rules import Aligned, Range, SizeRule
+from layoutkit.constraints import Constraint, Frequency
+from layoutkit.sizing.rules import Range, SizeRule
 from layoutkit_relayout.counting.frames import Framed, Frames, Row
 from layoutkit_relayout.counting.parts import Part
-from layoutkit_relayout.counting.tables import Open, Tables, Word
 from layoutkit_relayout.counting.profiles import Profile
+from layoutkit_relayout.counting.programs import NEAR, Sum
+from layoutkit_relayout.counting.tables import Open, Tables, Word
 from layoutkit_relayout.counting.ties import Frame, Tie
 from layoutkit_relayout.counting.ways import Ways
-from layoutkit_relayout.measures import Measures
 from layoutkit_relayout.model import Interval, Model
 
 #: A frame's size lies between two ends, in so many ways.
 Spread = Mapping[Interval, Ways]
-#: Sizes are equal, and rows hold, to this share of the facade's size.
-NEAR = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +58,8 @@ class System:
         For each frame, the sizes that it may have by itself.
     words
         Words, by path, that say which regions there are: for a part's own groups, any of the right letters.
+    reached
+        The regions that there are.
     possible
         Whether all holds that is given.
     """
@@ -67,6 +68,7 @@ class System:
     links: tuple[Link, ...]
     ranges: Mapping[Frame, Interval]
     words: Mapping[str, Word]
+    reached: Collection[str]
     possible: bool
 
 
@@ -74,20 +76,19 @@ class Systems:
     """States the parts of one facade at one size."""
 
     def __init__(
-        self, model: Model, parts: Sequence[Part], tables: Tables, frames: Frames, measures: Measures
+        self, model: Model, parts: Sequence[Part], tables: Tables, frames: Frames
     ) -> None:
-        self.model, self.tables, self.frames, self.measures = model, tables, frames, measures
+        self.model, self.tables, self.frames = model, tables, frames
+        # What frequencies ask of sizes is told with the counts.
+        self.constraints = tuple(c for c in model.constraints if not isinstance(c, Frequency))
         self.tied = {id(tie.origin): tie for part in parts for tie in part.ties if tie.origin is not None}
 
     def system(self, part: Part, own: Sequence[Open], around: Sequence[Open]) -> System:
         """State a part where the words of its groups, and of those around, have known letters."""
         words = {path: word for each in (*own, *around) for path, word in each.example(each.profiles[0]).items()}
         arrangement = self.arrangement(words)
-        rows = [
-            row
-            for row in self.frames.rows(arrangement, self.ranges(arrangement))
-            if self._holds_for_all(row, part)
-        ]
+        rules = [rule for rule in self.rules(arrangement, self.constraints) if isinstance(rule, Range)]
+        rows = [row for row in self.frames.rows(arrangement, rules) if self._holds_for_all(row, part)]
         ranges = {frame: self.frames.hull(frame) for frame in self._reached(arrangement, part)}
         possible = True
         links = []
@@ -111,7 +112,7 @@ class Systems:
                 names = (self.frames.unknown(*frame) for frame in tie.frames)
                 frames = frozenset(name for name in names if name in ranges)
                 links.append(Link(frames, groups=bound, ties=(tie,)))
-        return System(part, tuple(_by_group(links)), ranges, words, possible)
+        return System(part, tuple(_by_group(links)), ranges, words, arrangement.frames.keys(), possible)
 
     def arrangement(self, words: Mapping[str, Word]) -> Framed:
         """Return the arrangement of some words, and of those that there is no choice of."""
@@ -123,13 +124,34 @@ class Systems:
                 found[path] = word
         return Framed(self.model.facade, self.model.completed(found))
 
-    def ranges(self, arrangement: Framed) -> list[Range]:
-        """Return all rows of an arrangement; what has to be in line is none."""
-        return [rule for rule in self.rules(arrangement) if isinstance(rule, Range)]
+    def rules(self, arrangement: Framed, constraints: Iterable[Constraint]) -> list[SizeRule]:
+        """Return what some constraints, and the words themselves, ask of an arrangement."""
+        return [*(rule for c in constraints for rule in c.size_rules(arrangement)), *arrangement.tilings]
 
-    def rules(self, arrangement: Framed) -> list[SizeRule]:
-        """Return all rules of an arrangement."""
-        return [*self.measures.rules(arrangement), *arrangement.tilings]
+    def filled(self, own: Open, profile: Profile) -> Iterator[Sum]:
+        """Yield how the words of a profile fill each member."""
+        for stretch in self.tables.stretches(own, profile):
+            axis = self.model.axis(stretch.member)
+            symbols = own.group.symbols[stretch.member]
+            factors = {
+                (f"{stretch.member}/{symbols[letter]}", axis): float(times)
+                for letter, times in stretch.times.items()
+            }
+            frame, given = self.frames.unknown(stretch.member, axis), 0.0
+            if frame is None:
+                given = self.frames.given(stretch.member, axis)
+            else:
+                factors[frame] = -1.0
+            yield Sum(factors, given - stretch.rest[1], given - stretch.rest[0])
+
+    def hanging(self, link: Link, system: System, chosen: Sequence[tuple[Open, Profile]]) -> Iterator[Sum]:
+        """Yield what constraints ask of sizes that hangs on how often letters occur in words."""
+        words = {path: word for own, profile in chosen for path, word in own.example(profile).items()}
+        arrangement = self.arrangement({**system.words, **words})
+        constraints = [tie.origin for tie in link.ties if tie.origin is not None]
+        rules = [r for c in constraints for r in c.size_rules(arrangement) if isinstance(r, Range)]
+        for row in self.frames.rows(arrangement, rules):
+            yield Sum(row.factors, row.least, row.most)
 
     @property
     def _slack(self) -> float:

@@ -154,13 +154,19 @@ class Tables:
         tied = (letter for letter in self.relevant(own.group) if not self.free(own.group, letter))
         return tuple(letter for letter in tied if self.has(own.group, seen, letter))
 
+    def times(self, own: Open, profile: Profile) -> Mapping[str, int]:
+        """Return how often each letter occurs that is not free."""
+        first = len(own.table.weights.most) + 2 * len(own.members)
+        return {
+            letter: times for letter, times in zip(own.group.letters, profile.sums[first:], strict=True) if times
+        }
+
     def stretches(self, own: Open, profile: Profile) -> Iterator[Stretch]:
         """Yield what a profile asks of the length of each member."""
         count = len(own.members)
         free = len(own.table.weights.most)
         most, least = profile.sums[free : free + count], profile.sums[free + count : free + 2 * count]
-        times = zip(own.group.letters, profile.sums[free + 2 * count :], strict=True)
-        tied = {letter: number for letter, number in times if number}
+        tied = self.times(own, profile)
         for member, low, high in zip(own.members, least, most, strict=True):
             yield Stretch(member, tied, (low * self._grain, high * self._grain))
 

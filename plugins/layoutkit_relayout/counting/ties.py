@@ -110,24 +110,13 @@ def _divided(path: str, asked: set[Frame], model: Model) -> Iterator[Tie]:
 
 
 def _counted(rule: Counts, model: Model) -> Tie:
-    """Return a frequency, which hangs on every word that leads to a counted region.
-
-    What a relative one asks of sizes is told from its constraint.
-    """
+    """Return a frequency, which hangs on every word that leads to a counted region."""
     relative = any(end.relative and end.value > 0 for end in (rule.least, rule.most))
     if relative and any(type(constraint) is not Frequency for constraint in rule.origin):
         return _everything(model, None)
-    return Tie(
-        frozenset(), _counting(rule.path, rule.counted, model), counts=rule, paths=frozenset((rule.path,))
-    )
-
-
-def _frequency(constraint: Frequency, model: Model) -> Iterator[Tie]:
-    """Yield the region whose size a relative range hangs on, with all that is counted in it."""
-    path = constraint.within
-    if any(end is not None and end.relative for end in (constraint.min, constraint.max)):
-        groups = _counting(path, constraint.counted(model.facade), model)
-        yield Tie(frozenset(((path, model.axis(path)),)), groups, origin=constraint)
+    frames = frozenset({(rule.path, model.axis(rule.path))} if relative else ())
+    groups = _counting(rule.path, rule.counted, model)
+    return Tie(frames, groups, counts=rule, paths=frozenset((rule.path,)))
 
 
 def _counting(path: str, counted: frozenset[str], model: Model) -> frozenset[WordGroup]:
@@ -171,8 +160,8 @@ def _instances(constraint: Instances, model: Model) -> Iterator[Tie]:
         yield Tie(frames, _open(model.group_of[parent] for parent in parents), origin=constraint)
 
 
-def _none(constraint: Size, model: Model) -> Iterator[Tie]:
-    """Yield nothing: a region's own range ties it to no other."""
+def _none(constraint: Size | Frequency, model: Model) -> Iterator[Tie]:
+    """Yield nothing: a region's own range ties it to no other; frequencies are told from their rules."""
     return iter(())
 
 
@@ -322,7 +311,7 @@ def _parent(path: str) -> str:
 
 _KINDS: Mapping[type[Constraint], Callable[[Any, Model], Iterator[Tie]]] = {
     Size: _none,
-    Frequency: _frequency,
+    Frequency: _none,
     SameSize: _same_size,
     Symmetry: _symmetry,
     Lock: _lock,
