@@ -321,9 +321,9 @@ _REFERENCES = (
     Code(
         "LK220",
         "pattern that sequences cannot say",
-        "Overlapping sequences see neighbours only: no set of them covers exactly the pattern's arrangements.",
+        "Overlapping sequences see neighbours only: none cover exactly the pattern's arrangements.",
         "A symbol that stands in several roles, such as piers on both sides of the only door.",
-        "Give the symbol another name in each role, or write a wider pattern, and bound it by a frequency.",
+        "Give the symbol another name in each role, or write a wider pattern and bound it by a frequency.",
     ),
     Code(
         "LK221",

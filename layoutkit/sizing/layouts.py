@@ -40,7 +40,10 @@ def _exact(arrangement: Arrangement, values: Sequence[Floats]) -> dict[str, tupl
             sizes |= {p: (b.width, b.height) for p, b in facade.faces.items() if split == "faces"}
             continue
         axis = AXIS[split]
-        along = {s: value(arrangement.frames[f"{path}/{s}"].extent[axis], values[axis]) for s in dict.fromkeys(word)}
+        along = {
+            s: value(arrangement.frames[f"{path}/{s}"].extent[axis], values[axis])
+            for s in dict.fromkeys(word)
+        }
         factor = own[axis] / sum(along[symbol] for symbol in word) if word else 1.0
         for symbol, size in along.items():
             exact = (size * factor, own[1]) if axis == 0 else (own[0], size * factor)

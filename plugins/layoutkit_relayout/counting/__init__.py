@@ -1,1 +1,0 @@
-"""Counting arrangements, and drawing them evenly: nothing is drawn or tried that the count has not told apart."""
