@@ -64,7 +64,9 @@ def test_the_backends_agree(seed: int) -> None:
     first, second = (s.x for s in solutions)
     assert first is not None
     assert second is not None
-    assert np.abs(first - second).max() < 1e-6
+    assert objective(problem, first) == pytest.approx(objective(problem, second), abs=1e-8)
+    # An interior point method stops at a gap of 1e-10 in the objective: its root in the point.
+    assert np.abs(first - second).max() < 3e-5
     assert max(problem.residual(x) for x in (first, second)) < 1e-8
 
 
