@@ -14,26 +14,17 @@ import json
 import math
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-import numpy as np
-
-from benchmarks.contenders import Size
 from benchmarks.designs.storeys import storeys
-from layoutkit.model import Facade, Layout, Region, place
-from layoutkit.sizing.backends import BACKENDS
+from layoutkit.model import Facade, Layout, place
 from layoutkit.sizing.threads import single_threaded
-from layoutkit_relayout.measures import Measures
-from layoutkit_relayout.model import Model
+from layoutkit_relayout.resizing import Resizer
 
 #: Milliseconds that a step should take at most.
 AIM = 5.0
-#: QPs that each axis of a step may cost.
-_PROBLEMS = 60
-
-Resize = Callable[[Size], Region | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,16 +69,15 @@ def main() -> None:
 
 def dragged(facade: Facade, steps: int) -> Dragged:
     """Drag a facade to and fro."""
-    words = {path: region.word for path, region in facade.regions.items() if region.split}
-    resize = keeping(facade, words)
+    resizer = Resizer(facade)
     times, failed = [], 0
     for step in range(steps):
         share = 1.075 + 0.225 * math.sin(2 * math.pi * step / steps - 0.34)
         size = (facade.root.width * share, facade.root.height * (1 + (share - 1) / 2))
         start = time.perf_counter()
-        root = resize(size)
+        layout = resizer.at(*size)
         times.append(1000 * (time.perf_counter() - start))
-        failed += root is None or not _kept(facade, root, words)
+        failed += not isinstance(layout, Layout) or not _kept(layout, resizer.words)
     windows = sum("Window" in placed.region.labels for placed in place(facade.root))
     rest = times[1:]
     return Dragged(
@@ -95,22 +85,9 @@ def dragged(facade: Facade, steps: int) -> Dragged:
     )
 
 
-def keeping(facade: Facade, words: dict[str, tuple[str, ...]]) -> Resize:
-    """Return what lays the facade out anew at any size, with these words.
-
-    Each step starts from the same initial sizes, so that a drag is smooth.
-    """
-    measures = Measures(Model(facade), BACKENDS)
-
-    def resize(size: Size) -> Region | None:
-        return measures.whole(words, size, np.random.default_rng(0), _PROBLEMS).root
-
-    return resize
-
-
-def _kept(facade: Facade, root: Region, words: dict[str, tuple[str, ...]]) -> bool:
-    same = all(p.region.word == words[p.symbol_path] for p in place(root) if p.region.split)
-    return same and not Layout(facade.name, facade.units, root, facade).violations()
+def _kept(layout: Layout, words: Mapping[str, tuple[str, ...]]) -> bool:
+    same = all(p.region.word == words[p.symbol_path] for p in place(layout.root) if p.region.split)
+    return same and not layout.violations()
 
 
 if __name__ == "__main__":

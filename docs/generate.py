@@ -6,7 +6,11 @@ Run it from the root of the project: ``python docs/generate.py``.
 from __future__ import annotations
 
 import inspect
+import re
+from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import typer.main
@@ -14,12 +18,16 @@ import typer.main
 from layoutkit.cli.app import app
 from layoutkit.constraints import BUILT_IN, Constraint
 from layoutkit.constraints.attributes import Attribute, AttributeType
+from layoutkit.diagnostics import Faulty
 from layoutkit.diagnostics.codes import CODES
 from layoutkit.documents import read
 from layoutkit.documents.writing import constraint_lines
+from layoutkit.model import Facade
 from layoutkit.samples import list_samples
 
 REFERENCE = Path(__file__).parent / "reference"
+HOW_TO = Path(__file__).parent / "how-to"
+_FILE = re.compile(r"<!-- file: \S+ -->\n```xml\n(.*?)```", re.S)
 NOTE = "<!-- written by docs/generate.py: change what it reads, and run it again -->"
 
 #: What the types of attributes mean to those who write documents.
@@ -63,8 +71,7 @@ def constraints_page() -> str:
     for kind in BUILT_IN:
         lines += ["", f"## {kind.kind}", "", kind.summary, "", "| attribute | | |", "|---|---|---|"]
         lines += [_row(attribute) for attribute in kind.attributes()]
-        if kind in examples:
-            lines += ["", "```xml", *constraint_lines([examples[kind]]), "```"]
+        lines += ["", "```xml", *constraint_lines([examples[kind]]), "```"]
     lines += ["", "## Values", "", "| type | is |", "|---|---|"]
     lines += [f"| {name} | {_cell(TYPES[name])} |" for name in used]
     return "\n".join([*lines, ""])
@@ -88,14 +95,36 @@ def _cell(text: str) -> str:
 
 
 def _examples() -> dict[type[Constraint], Constraint]:
-    """Return, for each kind, the first constraint of the samples with a reason given."""
-    kinds = {kind.kind: kind for kind in BUILT_IN}
+    """Return, for each kind, the first constraint with a reason given: samples, then how-to pages."""
     found: dict[type[Constraint], Constraint] = {}
-    for sample in list_samples():
-        for constraint in read(sample.path, kinds).model.constraints:  # type: ignore[union-attr]  # a facade
+    for facade in (*_samples(), *_shown()):
+        for constraint in facade.constraints:
             if constraint.comment:
                 found.setdefault(type(constraint), constraint)
     return found
+
+
+def _samples() -> Iterator[Facade]:
+    for sample in list_samples():
+        yield from _facades(sample.path)
+
+
+def _shown() -> Iterator[Facade]:
+    """Yield the facades of the how-to pages."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder, "shown.xml")
+        for page in sorted(HOW_TO.glob("*.md")):
+            for shown in _FILE.findall(page.read_text(encoding="utf-8")):
+                file.write_text(shown, encoding="utf-8")
+                yield from _facades(file)
+
+
+def _facades(path: Path) -> Iterator[Facade]:
+    """Yield the facade of a document: none of what is no facade, or shows a fault."""
+    with suppress(Faulty):
+        model = read(path, {kind.kind: kind for kind in BUILT_IN}).model
+        if isinstance(model, Facade):
+            yield model
 
 
 def codes_page() -> str:

@@ -14,6 +14,7 @@ from layoutkit import __version__
 from layoutkit.cli import (
     console,
     convert,
+    count,
     explain,
     infer,
     inspect,
@@ -33,6 +34,7 @@ from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
     (samples.samples, samples.EXAMPLES),
     (vary.vary, vary.EXAMPLES),
+    (count.count, count.EXAMPLES),
     (explain.explain, explain.EXAMPLES),
     (convert.convert, convert.EXAMPLES),
     (infer.infer, infer.EXAMPLES),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,6 +23,15 @@ from layoutkit.model import Facade, Layout, Measure
 if TYPE_CHECKING:
     from layoutkit.hooks import Outcome, Status
 
+
+class Sampling(enum.StrEnum):
+    """Which arrangements variations have."""
+
+    weighted = enum.auto()
+    uniform = enum.auto()
+    diverse = enum.auto()
+
+
 EXAMPLES = """
 Examples:
 
@@ -30,6 +40,8 @@ Examples:
 - `layoutkit vary house.xml -n 20 --width 150% --height 21.5 --seed 7 -o wide`
 
 - `layoutkit vary house.xml -n 4 --mass block.xml -o block`
+
+- `layoutkit vary house.xml -n 6 --sampling diverse -o far-apart`
 """
 
 _EXITS: dict[Status, Exit] = {"found": Exit.DONE, "infeasible": Exit.INFEASIBLE, "limit": Exit.LIMIT}
@@ -76,6 +88,14 @@ def vary(
     seed: Annotated[
         int, typer.Option(min=0, help="Start of all random choices: the same seed gives the same bytes.")
     ] = 0,
+    sampling: Annotated[
+        Sampling,
+        typer.Option(
+            metavar="WAY",
+            help="Which arrangements: weighted, likely ones; uniform, each that exists equally often; "
+            "diverse, such as are far from each other.",
+        ),
+    ] = Sampling.weighted,
     node_limit: Annotated[
         int | None,
         typer.Option(min=1, show_default=False, help="Words tried for one variation before giving up."),
@@ -101,9 +121,12 @@ def vary(
     picture = facade_file.parent / facade.picture.file if facade.picture is not None else None
     folder = ResultFolder(session, output, facade, photo, scale, max(2, len(str(count))))
     folder.write_facade(source, picture)
-    asked = {"count": count, "width": width, "height": height, "seed": seed}
-    limit = {} if node_limit is None else {"node_limit": node_limit}
-    results = list(_results(folder, subject, count, {**asked, **limit}))
+    asked: dict[str, Any] = {"count": count, "width": width, "height": height, "seed": seed}
+    if sampling is not Sampling.weighted:  # by default no stage needs to know of it
+        asked["sampling"] = str(sampling)
+    if node_limit is not None:
+        asked["node_limit"] = node_limit
+    results = list(_results(folder, subject, count, asked))
     if written := [r.variation for r in results if r.variation is not None]:
         sheet = folder.write_sheet(written)
     session.report(folder.left_over(written))

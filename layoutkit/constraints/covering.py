@@ -17,17 +17,24 @@ _NONE = -1
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """A sequence as sets of symbols, and whether it is tied to the region's start or end."""
+    """A sequence as sets of symbols, and whether it is tied to the region's start or end.
+
+    Attributes
+    ----------
+    weight
+        How likely, against the others, a word goes on with it.
+    """
 
     sets: tuple[frozenset[str], ...]
     at_start: bool = False
     at_end: bool = False
+    weight: float = 1.0
 
 
 class Covering:
     """Accepts the words that a chain of pieces covers, each overlapping the one before in a subregion.
 
-    Meets `layoutkit.constraints.word_rules.Automaton`.
+    Meets `layoutkit.constraints.word_rules.Automaton` and `Weighing`.
     """
 
     def __init__(self, pieces: tuple[Piece, ...]) -> None:
@@ -50,6 +57,17 @@ class Covering:
         return any(
             self.pieces[piece].at_end and read == len(self.pieces[piece].sets) for piece, read, _, _ in state
         )
+
+    @property
+    def weighs(self) -> bool:
+        """Whether the pieces differ in weight."""
+        return len({piece.weight for piece in self.pieces}) > 1
+
+    def weight(self, state: State, symbol: str) -> float:
+        """Return the greatest weight among the pieces that a word is in and that go on with the symbol."""
+        going = (thread for thread in state if self._follow(thread, symbol))
+        begun = (number for piece, _, following, _ in going for number in (piece, following))
+        return max((self.pieces[number].weight for number in begun if number != _NONE), default=0.0)
 
     def _follow(self, thread: Thread, symbol: str) -> list[Thread]:
         piece, read, following, begun = thread

@@ -68,7 +68,7 @@ class Sequence(Constraint):
             frozenset(symbol for symbol, own in names.items() if regions.contains(own))
             for regions in self.word.sets
         )
-        return Piece(sets, self.word.at_start, self.word.at_end)
+        return Piece(sets, self.word.at_start, self.word.at_end, self.weight)
 
     @classmethod
     def word_rules(cls, constraints: ListOf[Self], facade: Facade) -> Iterator[WordRule]:

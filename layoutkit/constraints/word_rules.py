@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 if TYPE_CHECKING:
     from layoutkit.constraints.constraint import Constraint
@@ -26,6 +26,20 @@ class Automaton(Protocol):
 
     def accepts(self, state: State) -> bool:
         """Tell whether the word may end in `state`."""
+        ...
+
+
+@runtime_checkable
+class Weighing(Automaton, Protocol):
+    """An automaton that says which symbols are likelier than others."""
+
+    @property
+    def weighs(self) -> bool:
+        """Whether it says so of any: otherwise all have the weight 1."""
+        ...
+
+    def weight(self, state: State, symbol: str) -> float:
+        """Return how likely a symbol is in a state, against the others; 0 where no valid word goes on so."""
         ...
 
 

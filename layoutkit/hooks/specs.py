@@ -18,7 +18,7 @@ from layoutkit.diagnostics import Diagnostic
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
-    from layoutkit.model import Facade, Layout
+    from layoutkit.model import Count, Facade, Layout
     from layoutkit.model.conflict import Explanation
     from layoutkit.sizing.qp import Backend
 
@@ -45,6 +45,8 @@ class Outcome:
         Time spent on this one (search and sizing; no reading, writing or pictures).
     explanation
         Why there is no document, with the layout that comes nearest, where a stage looks for that.
+    count
+        How many arrangements there are, where a stage counts them.
     """
 
     status: Status
@@ -52,6 +54,7 @@ class Outcome:
     diagnostics: tuple[Diagnostic, ...] = ()
     seconds: float = 0.0
     explanation: Explanation | None = None
+    count: Count | None = None
 
 
 class Stage(ABC):

@@ -2,6 +2,7 @@
 
 from layoutkit.model.box import Box
 from layoutkit.model.building import Building
+from layoutkit.model.count import Count
 from layoutkit.model.extent import Extent
 from layoutkit.model.facade import Facade, Picture
 from layoutkit.model.face import Face
@@ -18,6 +19,7 @@ __all__ = [
     "Block",
     "Box",
     "Building",
+    "Count",
     "Extent",
     "Facade",
     "Face",

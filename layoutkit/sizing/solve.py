@@ -9,13 +9,16 @@ from typing import Any
 
 import numpy as np
 
-from layoutkit.sizing.arrangement import add, value
+from layoutkit.sizing.arrangement import Slot, add, value
 from layoutkit.sizing.backends import polish
 from layoutkit.sizing.conflicts import Contradiction
-from layoutkit.sizing.overlaps import Meetings, Pair, words_of
+from layoutkit.sizing.overlaps import OVERLAP, Lines, Meetings, Pair, words_of
 from layoutkit.sizing.plan import DENSE, Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Floats, Solution
 from layoutkit.sizing.rules import Aligned, Range, SizeRule, Target
+
+#: Of a pair that has to align or stand apart: the one before, the one after, and the pair.
+Order = tuple[Slot, Slot, Pair]
 
 #: Rows hold to this share of the facade's size in every accepted solution: well below what is promised.
 RESIDUAL = 1e-8
@@ -33,15 +36,14 @@ class Axis:
         How many variables there are.
     rules
         Those of this axis.
-    nominal
-        Value of each variable where every region has its likeliest share of its parent: what overlaps there
-        is taken to belong together.
+    nominals
+        Likely values of all variables, the likeliest first: what overlaps there is taken to belong together.
     """
 
     number: int
     count: int
     rules: Sequence[SizeRule]
-    nominal: Floats
+    nominals: Sequence[Floats]
 
     @cached_property
     def targets(self) -> tuple[Target, ...]:
@@ -51,7 +53,7 @@ class Axis:
     @cached_property
     def plan(self) -> Plan:
         """The rules alone."""
-        return self._plan(())
+        return self.planned(())
 
     @cached_property
     def meetings(self) -> Meetings:
@@ -59,20 +61,50 @@ class Axis:
         return Meetings([rule for rule in self.rules if isinstance(rule, Aligned)])
 
     @cached_property
-    def likely(self) -> Plan | None:
-        """The rules, and the pairs that likely overlap in line; None where there are none."""
-        slots = self.meetings.slots
-        ends = [value(s.start, self.nominal) for s in slots] + [value(s.end, self.nominal) for s in slots]
-        lines = self.meetings.likely(np.array(ends) / self.nominal[0])
-        if not len(lines.share):
-            return None
-        if len(self.nominal) > DENSE:  # equalities are best solved before there are arrays
-            return self._plan(self.meetings.ranges(lines))
-        return self.plan.in_line(lines)
+    def guesses(self) -> tuple[Guess, ...]:
+        """What likely belongs together, the likeliest first."""
+        return tuple(Guess(self, nominal) for nominal in self.nominals)
 
-    def _plan(self, guess: Sequence[Range]) -> Plan:
+    def planned(self, more: Sequence[Range]) -> Plan:
+        """Return the rules and some more."""
         ranges = [rule for rule in self.rules if isinstance(rule, Range)]
-        return make_plan(self.number, self.count, [*ranges, *guess], self.targets, self.meetings)
+        return make_plan(self.number, self.count, [*ranges, *more], self.targets, self.meetings)
+
+
+@dataclass(frozen=True, eq=False)
+class Guess:
+    """What overlaps at likely values of an axis's variables."""
+
+    axis: Axis
+    nominal: Floats
+
+    @cached_property
+    def ends(self) -> Floats:
+        """The starts of all slots, then their stops, as shares of the facade's size."""
+        slots = self.axis.meetings.slots
+        ends = [value(s.start, self.nominal) for s in slots] + [value(s.end, self.nominal) for s in slots]
+        shares: Floats = np.array(ends) / self.nominal[0]
+        return shares
+
+    @cached_property
+    def lines(self) -> Lines:
+        """The lines of the pairs that overlap so far that they surely have to be in line."""
+        return self.axis.meetings.likely(self.ends)
+
+    @cached_property
+    def plan(self) -> Plan:
+        """The rules, and these pairs in line."""
+        if len(self.nominal) > DENSE:  # equalities are best solved before there are arrays
+            return self.axis.planned(self.axis.meetings.ranges(self.lines))
+        return self.axis.plan.in_line(self.lines)
+
+    def order(self, pair: Pair) -> Order | None:
+        """Return which one of a pair stands before the other; None if they overlap."""
+        one, other = (self.axis.meetings.number(slot) for slot in (pair.first, pair.second))
+        starts, stops = np.split(self.ends, 2)
+        if stops[one] <= starts[other] + OVERLAP:
+            return pair.first, pair.second, pair
+        return (pair.second, pair.first, pair) if stops[other] <= starts[one] + OVERLAP else None
 
 
 @dataclass
@@ -130,36 +162,46 @@ class Sized:
     ----------
     conflict
         What is at fault; None where nobody knows: the budget or the solvers ended the attempt.
+    suspect
+        Then, why what likely belongs together cannot be in line, if that is known: perhaps the cause.
     """
 
     values: Floats | None
     conflict: Conflict | None = None
+    suspect: Conflict | None = None
 
 
 def size_axis(axis: Axis, size: float, drawn: Drawn, backends: Sequence[Backend], budget: Budget) -> Sized:
     """Find values that keep every range and alignment, nearest to what is drawn.
 
     An alignment is a choice of three: the pair is in line, or one stands before the other, or after it. The
-    first is tried first: for pairs that likely overlap, then for all that surely do, then one by one.
+    first is tried first: for pairs that likely overlap, then for all that surely do, then one by one. Pairs
+    that likely stand apart are first kept as they likely stand.
 
     Parameters
     ----------
     size
         The facade's extent along the axis, in document units.
     """
-    task = _Task(axis.meetings, size, drawn, tuple(backends), budget)
-    if axis.likely is not None:
-        found = task.search(axis.likely)
+    tried: list[Lines] = []
+    suspect = None
+    for guess in axis.guesses:
+        if not len(guess.lines.share) or any(guess.lines.same(lines) for lines in tried):
+            continue
+        tried.append(guess.lines)
+        found = _Task(guess, size, drawn, tuple(backends), budget).search(guess.plan)
         if found.values is not None:
             return found
-    return task.search(axis.plan)
+        suspect = suspect or found.conflict
+    found = _Task(axis.guesses[0], size, drawn, tuple(backends), budget).search(axis.plan)
+    return found if found.values is not None or found.conflict is not None else Sized(None, None, suspect)
 
 
 @dataclass(frozen=True)
 class _Task:
-    """What may have to align, a size, a draw, and what may be spent."""
+    """What likely belongs together on an axis, a size, a draw, and what may be spent."""
 
-    meetings: Meetings
+    guess: Guess
     size: float
     drawn: Drawn
     backends: tuple[Backend, ...]
@@ -186,13 +228,13 @@ class _Task:
                 undecided = True
             elif missed := self._out_of_line(way, found):
                 pairs.append(missed[0])
-                stack.append(_ways(way, missed, self.meetings))
+                stack.append(self._ways(way, missed))
             else:
                 return Sized(way.values(found, self.size))
         return Sized(None, None if undecided else Conflict(tuple(failed), tuple(pairs)))
 
     def _out_of_line(self, plan: Plan, point: Floats) -> list[Pair]:
-        return sorted(self.meetings.out_of_line(np.asarray(plan.slots @ point)), reverse=True)
+        return sorted(self.guess.axis.meetings.out_of_line(np.asarray(plan.slots @ point)), reverse=True)
 
     def _solved(self, plan: Plan) -> Floats | Contradiction | None:
         """Return the point that is nearest to what is drawn; None where nobody can tell."""
@@ -206,18 +248,31 @@ class _Task:
             return plan.contradiction(plan.row_of(solution.multipliers), self.size)
         return None
 
+    def _ways(self, plan: Plan, pairs: Sequence[Pair]) -> Iterator[Plan]:
+        """Yield plans that deal with the first pair; the last three leave nothing out."""
+        meetings, orders = self.guess.axis.meetings, [self.guess.order(pair) for pair in pairs]
+        sure = [pair for pair, order in zip(pairs, orders, strict=True) if pair.sure and order is None]
+        apart = [order for order in orders if order is not None]
+        if len(sure) + len(apart) > 1 or (sure and sure[0] is not pairs[0]):
+            kept = plan.in_line(meetings.lines(sure)) if sure else plan
+            yield kept.with_rows([_gap(plan.axis, order) for order in apart]) if apart else kept
+        pair, likely = pairs[0], orders[0]
+        in_line = plan.in_line(meetings.lines([pair]))
+        both: list[Order] = [(pair.first, pair.second, pair), (pair.second, pair.first, pair)]
+        if likely is None:
+            yield in_line
+            yield from (plan.with_rows([_gap(plan.axis, order)]) for order in both)
+        else:
+            yield plan.with_rows([_gap(plan.axis, likely)])
+            yield in_line
+            yield from (plan.with_rows([_gap(plan.axis, order)]) for order in both if order != likely)
 
-def _ways(plan: Plan, pairs: Sequence[Pair], meetings: Meetings) -> Iterator[Plan]:
-    """Yield plans that deal with the first pair; the last three leave nothing out."""
-    sure = [pair for pair in pairs if pair.sure]
-    if len(sure) > 1 or (sure and sure[0] is not pairs[0]):
-        yield plan.in_line(meetings.lines(sure))
-    pair = pairs[0]
-    yield plan.in_line(meetings.lines([pair]))
-    for before, after in ((pair.first, pair.second), (pair.second, pair.first)):
-        gap = add(after.start, before.end, -1.0)
-        words = words_of(pair.first, pair.second)
-        yield plan.with_rows([Range(plan.axis, gap, 0.0, float("inf"), pair.rule.origin, words)])
+
+def _gap(axis: int, order: Order) -> Range:
+    """Return the row that keeps one of a pair before the other."""
+    before, after, pair = order
+    form = add(after.start, before.end, -1.0)
+    return Range(axis, form, 0.0, float("inf"), pair.rule.origin, words_of(pair.first, pair.second))
 
 
 def minimum(problem: QP, backends: Sequence[Backend]) -> Solution:

@@ -6,13 +6,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import reduce
+from typing import NamedTuple
 
 import numpy as np
 
 from layoutkit.constraints.word_rules import Automaton
+from layoutkit_relayout.agreement import agreed
 from layoutkit_relayout.choir import Choir, Voice, fixed
 from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.machine import Counting, Machine, TooManyStates, Walk, build
+from layoutkit_relayout.kept import Kept
+from layoutkit_relayout.machine import Counting, Machine, TooManyStates, Walk, build, spelling
 from layoutkit_relayout.model import Interval, Model, meet
 from layoutkit_relayout.table import Completions, CompletionTable, Letters
 
@@ -25,9 +28,34 @@ NOTHING: Interval = (1.0, 0.0)
 #: Draws at each level before the next one is tried.
 DRAWS = 6
 #: Draws of words for several groups at once.
-PROPOSALS = 8
+PROPOSALS = 24
+#: How many times finer tables are where more words than so many turn out not to fit, for rounding.
+FINENESS, MISFITS = (1, 32), 256
+#: Tables of more cells than so many are not made finer.
+MOST_CELLS = 2**19
+#: Machines of one word that are kept.
+_KEPT = 256
 #: States that machines may have once they count.
 MOST_COUNTING = 2_000
+
+
+class Count(NamedTuple):
+    """What a frequency asks of a group's word.
+
+    Attributes
+    ----------
+    inside
+        Least and greatest number of counted regions in one region of each letter.
+    least, most
+        The range for their sum.
+    alone
+        Whether no other group has counted regions, so that this is asked whatever was chosen before.
+    """
+
+    inside: tuple[Interval, ...]
+    least: float
+    most: float
+    alone: bool
 
 
 @dataclass(frozen=True)
@@ -41,16 +69,18 @@ class Question:
     excluded
         Letters that some member cannot have, as they do not fit across it.
     counts
-        For each frequency rule that the group can still decide: least and greatest number of counted regions
-        in one region of each letter, then the range for their sum.
+        For each frequency rule that the group can still decide, what it asks.
     given
         The word, where a member that was reached earlier has it already.
+    agreed
+        For each word with which a member's agrees, the letters that may stand one after another.
     """
 
     members: tuple[tuple[str, Interval], ...]
     excluded: frozenset[str]
-    counts: tuple[tuple[tuple[Interval, ...], float, float], ...]
+    counts: tuple[Count, ...]
     given: Word | None = None
+    agreed: tuple[tuple[frozenset[str], ...], ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -65,13 +95,16 @@ class Candidates:
     ----------
     exact
         Whether all tables so far lose no fitting word, so that what they exclude is proved.
+    tables, machines
+        What is kept; candidates of other models that have groups in common may use the same.
     """
 
     def __init__(self, model: Model, size: tuple[float, float]) -> None:
         self.model, self.size, self.exact = model, size, True
         self.choir = Choir(model)
-        self._tables: dict[object, CompletionTable] = {}
-        self._machines: dict[object, Machine] = {}
+        self.tables: dict[object, CompletionTable] = {}
+        self.machines: dict[object, Machine] = {}
+        self._of_one: Kept[tuple[Machine, Word], Machine] = Kept(_KEPT)
 
     def words(
         self,
@@ -105,10 +138,19 @@ class Candidates:
                 if word not in seen and self._fits(group, question, word):
                     seen.add(word)
                     yield word
-        everything = self.fitting(group, question, question.members[:1], np.inf)
-        for word in map(everything.table.machine.spell, everything.words()):
-            if word not in seen and self._fits(group, question, word):
-                yield word
+        for fineness in FINENESS:
+            everything = self.fitting(group, question, question.members[:1], np.inf, fineness)
+            misfits = 0
+            for word in map(everything.table.machine.spell, everything.words()):
+                if word not in seen and self._fits(group, question, word):
+                    seen.add(word)
+                    yield word
+                else:
+                    misfits += word not in seen
+                if misfits > MISFITS and fineness < FINENESS[-1] and everything.table.cells < MOST_CELLS:
+                    break  # of the words that only rounding lets in there may be very many
+            else:
+                return
 
     def together(
         self, open_: Mapping[WordGroup, Question], length: float, generator: np.random.Generator
@@ -124,17 +166,30 @@ class Candidates:
         """
         voices = []
         for group, question in open_.items():
-            machine = self._machine(group, question)
+            # Some counts are others each time: what the choir knows of a machine without them serves always.
+            alone = tuple(count for count in question.counts if count.alone)
+            machine = self._machine(group, replace(question, counts=alone))
             if question.given is not None:
-                machine = fixed(machine, question.given)
+                machine = self._fixed(machine, question.given)
             voices.append(Voice(group, machine, self.model.weights(group, machine)))
         for _ in range(PROPOSALS):
             words = self.choir.propose(voices, length, generator)
-            if words is not None and all(self._suits(g, question, words[g]) for g, question in open_.items()):
-                yield words
+            if words is not None and all(self.suits(g, question, words[g]) for g, question in open_.items()):
+                named = {m: g.word_of(m, words[g]) for g, question in open_.items() for m in question.names}
+                if agreed(self.model.alike, named):
+                    yield words
 
-    def _suits(self, group: WordGroup, question: Question, word: Word) -> bool:
-        return question.excluded.isdisjoint(word) and self._fits(group, question, word)
+    def _fixed(self, machine: Machine, word: Word) -> Machine:
+        """Return the machine of one word, the same for the same word: what is known of it goes by that."""
+        return self._of_one.get((machine, word), lambda: fixed(machine, word))
+
+    def suits(self, group: WordGroup, question: Question, word: Word) -> bool:
+        """Tell whether a word of the group is none that the question rules out."""
+        return (
+            question.excluded.isdisjoint(word)
+            and self._fits(group, question, word)
+            and all(_counted(group, word, count) for count in question.counts)
+        )
 
     def any(self, group: WordGroup, question: Question) -> bool:
         """Tell whether the tables know a word that fits; if not, there is none."""
@@ -160,7 +215,12 @@ class Candidates:
             yield self.fitting(group, question, question.members[:1], np.inf)
 
     def fitting(
-        self, group: WordGroup, question: Question, members: Sequence[tuple[str, Interval]], comfort: float
+        self,
+        group: WordGroup,
+        question: Question,
+        members: Sequence[tuple[str, Interval]],
+        comfort: float,
+        fineness: int = 1,
     ) -> Completions:
         """Return the words that suit some members of a group.
 
@@ -171,21 +231,31 @@ class Candidates:
             no fitting word fails.
         comfort
             How many standard deviations sizes may be off their centres.
+        fineness
+            How many times finer lengths are told apart than usually.
         """
         names = tuple(member for member, _ in members)
         ranges = {
             letter: NOTHING if letter in question.excluded else self._range(group, letter, names, comfort)
             for letter in group.letters
         }
-        key = (group, question.names, question.counts, tuple(ranges.values()), self._reach(names))
-        if key not in self._tables:
+        key = (
+            group,
+            question.names,
+            question.counts,
+            question.agreed,
+            tuple(ranges.values()),
+            self._reach(names),
+            fineness,
+        )
+        if key not in self.tables:
             machine = self._machine(group, question)
             sums = [_as_wide([ranges[letter] for letter in parts]) for parts in machine.parts]
             least, most = np.array(sums).reshape(-1, 2).T
             letters = Letters(least, most, self.model.weights(group, machine))
-            self._tables[key] = CompletionTable(machine, letters, self._reach(names))
-            self.exact &= self._tables[key].exact
-        return self._tables[key].at(*reduce(meet, (interval for _, interval in members)))
+            self.tables[key] = CompletionTable(machine, letters, self._reach(names), fineness)
+        self.exact &= self.tables[key].exact
+        return self.tables[key].at(*reduce(meet, (interval for _, interval in members)))
 
     def _reach(self, members: Sequence[str]) -> float:
         """Return a length that none of the members can pass."""
@@ -204,22 +274,24 @@ class Candidates:
 
         The counts that are left out are checked once all words are chosen.
         """
-        key = (group, question.names, question.counts)
-        if key not in self._machines:
+        key = (group, question.names, question.counts, question.agreed)
+        if key not in self.machines:
             machine = group.machine(question.names)
-            for inside, least, most in question.counts:
-                counted = dict(zip(group.letters, inside, strict=True))
+            for letters in question.agreed:
+                machine = spelling(machine, letters)
+            for count in question.counts:
+                counted = dict(zip(group.letters, count.inside, strict=True))
                 sums = {
                     letter: (sum(counted[p][0] for p in parts), sum(counted[p][1] for p in parts))
                     for letter, parts in zip(machine.letters, machine.parts, strict=True)
                 }
                 same = {letter: letter for letter in machine.letters}
                 both: list[tuple[Automaton, Mapping[str, str]]]
-                both = [(Walk(machine), same), (Counting(sums, least, most), same)]
+                both = [(Walk(machine), same), (Counting(sums, count.least, count.most), same)]
                 with suppress(TooManyStates):
                     machine = replace(build(machine.letters, both, MOST_COUNTING), spelled=machine.spelled)
-            self._machines[key] = machine
-        return self._machines[key]
+            self.machines[key] = machine
+        return self.machines[key]
 
     def _fits(self, group: WordGroup, question: Question, word: Word) -> bool:
         """Check every member's length, which the tables round."""
@@ -233,6 +305,13 @@ class Candidates:
             ):
                 return False
         return True
+
+
+def _counted(group: WordGroup, word: Word, count: Count) -> bool:
+    """Tell whether a word can bring as many counted regions as it has to."""
+    inside = dict(zip(group.letters, count.inside, strict=True))
+    low, high = (sum(inside[letter][end] for letter in word) for end in (0, 1))
+    return low <= count.most + 1e-9 and high >= count.least - 1e-9
 
 
 def _as_wide(parts: Sequence[Interval]) -> Interval:

@@ -11,6 +11,7 @@ from layoutkit.constraints.word_rules import Admits, Agree, Anything, Automaton,
 from layoutkit.model import Facade
 from layoutkit_relayout.machine import Machine, build, chain
 from layoutkit_relayout.mirrored import mirrored
+from layoutkit_relayout.preferences import Floats, preferences
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,6 +77,16 @@ class WordGroup:
                 machine = build(self.letters, automata)
             self._machines[key] = machine if mirror is None else mirrored(machine, mirror)
         return self._machines[key]
+
+    def preferences(self, machine: Machine) -> Floats:
+        """Return the weight of each letter in each state of a machine of the group, by sequences alone."""
+        if machine not in self._preferences:
+            self._preferences[machine] = preferences(machine, self._automata(self.members))
+        return self._preferences[machine]
+
+    @cached_property
+    def _preferences(self) -> dict[Machine, Floats]:
+        return {}
 
     @cached_property
     def forced(self) -> tuple[str, ...] | None:

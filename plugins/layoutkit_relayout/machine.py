@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -50,6 +50,38 @@ class Counting:
     def accepts(self, state: tuple[float, float]) -> bool:
         """Tell whether the count can be large enough."""
         return state[1] >= self.least - 1e-9
+
+
+class Spelling:
+    """Accepts words of one length, of which each letter is one of its own place.
+
+    Parameters
+    ----------
+    parts
+        What each letter stands for: see `Machine`.
+    places
+        The letters that may stand one after another.
+    """
+
+    def __init__(self, parts: Mapping[str, tuple[str, ...]], places: Sequence[frozenset[str]]) -> None:
+        self.parts, self.places = parts, places
+
+    def start(self) -> tuple[int, int]:
+        """Return how many letters are read from the near end, and from both."""
+        return (0, 0)
+
+    def step(self, state: tuple[int, int], symbol: str) -> tuple[int, int] | None:
+        """Read what the letter stands for, if there is room, and it may stand there."""
+        near, total = state[0], state[1] + len(self.parts[symbol])
+        if total > len(self.places):
+            return None
+        ends = (near, len(self.places) - 1 - near)
+        fits = all(part in self.places[end] for part, end in zip(self.parts[symbol], ends, strict=False))
+        return (near + 1, total) if fits else None
+
+    def accepts(self, state: tuple[int, int]) -> bool:
+        """Tell whether all places are taken."""
+        return state[1] == len(self.places)
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,6 +229,13 @@ def build(
             row.append(-1 if after is None else numbers[after])
         rows.append(row)
     return trim(tuple(letters), np.array(rows, dtype=np.int64), np.array(accepting, dtype=bool))
+
+
+def spelling(machine: Machine, places: Sequence[frozenset[str]]) -> Machine:
+    """Return a machine for those words of another whose letters may stand where they do."""
+    same = {letter: letter for letter in machine.letters}
+    own = Spelling(dict(zip(machine.letters, machine.parts, strict=True)), places)
+    return replace(build(machine.letters, [(Walk(machine), same), (own, same)]), spelled=machine.spelled)
 
 
 def chain(letters: Sequence[str], word: Sequence[str]) -> Machine:

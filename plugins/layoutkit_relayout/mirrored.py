@@ -39,10 +39,10 @@ def mirrored(machine: Machine, partners: Mapping[str, tuple[str, ...]]) -> Machi
     """
     if machine.empty:
         return machine
-    paired = [(near, far) for near in machine.letters for far in partners.get(near, ())]
+    column = {letter: number for number, letter in enumerate(machine.letters)}
+    paired = [(near, far) for near in column for far in partners.get(near, ()) if far in column]
     middles = [near for near, far in paired if near == far]
     letters = (*(f"{near}{_BETWEEN}{far}" for near, far in paired), *middles)
-    column = {letter: number for number, letter in enumerate(machine.letters)}
     before = _predecessors(machine)
     start: _State = (0, frozenset(map(int, np.flatnonzero(machine.accepting))))
     numbers: dict[_State, int] = {start: 0}

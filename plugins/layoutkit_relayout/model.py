@@ -16,6 +16,7 @@ from layoutkit.constraints.size import axis_of, input_size
 from layoutkit.constraints.word_rules import Counts, Variants, WordRule
 from layoutkit.model import Facade
 from layoutkit.sizing.arrangement import AXIS
+from layoutkit_relayout.extremes import longest, longest_count, shortest, summed
 from layoutkit_relayout.groups import WordGroup, word_groups
 from layoutkit_relayout.machine import Machine
 from layoutkit_relayout.variants import Varied, varied
@@ -45,30 +46,29 @@ class Model:
         The frequency rules.
     demands
         How many different instances regions have to have.
+    alike
+        Regions of different groups whose words agree, though their instances need not: by path, the name of
+        every symbol.
     exact
         Whether no layout is lost by what the model leaves out.
     """
 
     def __init__(self, facade: Facade, constraints: Sequence[Constraint] | None = None) -> None:
         own = effective_constraints(facade) if constraints is None else tuple(constraints)
-        self._state(Varied(facade, own, tuple(word_rules(facade, own)), (), True))
-        self._at: dict[tuple[int, ...], Model] = {}
+        self._state(Varied(facade, own, tuple(word_rules(facade, own))))
+        self._at: dict[object, Model] = {}
 
     def _state(self, stated: Varied) -> None:
         facade, rules = stated.facade, stated.rules
-        self.facade, self.constraints, self.exact, self.rules = (
-            facade,
-            stated.constraints,
-            stated.exact,
-            rules,
-        )
-        self.demands = stated.demands
+        self.facade, self.constraints, self.rules = facade, stated.constraints, rules
+        self.demands, self.alike, self.exact = stated.demands, stated.alike, True
         self.counts = tuple(rule for rule in rules if isinstance(rule, Counts))
         self.groups = tuple(word_groups(facade, rules))
         self.group_of = {path: group for group in self.groups for path in group.members}
         self._bounds, self._shapes = _own_sizes(facade, self.constraints)
         self._hulls: dict[tuple[str, int, float], Interval] = {}
         self._contents: dict[tuple[str, frozenset[str], tuple[float, float]], Interval] = {}
+        self._alone: dict[tuple[WordGroup, str, frozenset[str]], bool] = {}
         self._holders: dict[frozenset[str], frozenset[str]] = {}
         self._closed_words: dict[str, dict[str, tuple[str, ...]]] = {}
 
@@ -78,26 +78,64 @@ class Model:
         if not variants:
             return self
         most: dict[str, int] = {}
+        free = {rule.path for rule in variants}
         for rule in variants:
-            most[rule.path] = min(most.get(rule.path, MOST_INSTANCES), self._instances(rule, size))
-        key = tuple(most.values())
+            room = self._room(rule.path, size)
+            number, bound = self._instances(rule, room, size)
+            most[rule.path] = min(most.get(rule.path, MOST_INSTANCES), number)
+            if bound:
+                free.discard(rule.path)
+        # Where there is no layout at all, none is lost.
+        exact = max(most.values()) < MOST_INSTANCES or not self._has_size(size)
+        key = (tuple(most.values()), frozenset(free), exact)
         if key not in self._at:
             model = Model.__new__(Model)
-            model._state(varied(self.facade, self.constraints, self.rules, most))
-            model.exact &= max(most.values()) < MOST_INSTANCES
+            model._state(varied(self.facade, self.constraints, self.rules, most, free))
+            model.exact = exact
             self._at[key] = model
         return self._at[key]
 
-    def _instances(self, rule: Variants, size: tuple[float, float]) -> int:
-        """Return how many instances of a region can stand in its parent, and may."""
+    def _has_size(self, size: tuple[float, float]) -> bool:
+        """Tell whether the whole may be so large, whatever is a replica of what."""
+        hulls = (self.hull(self.facade.root.symbol, axis) for axis in (0, 1))
+        return all(
+            low <= own * (1 + 1e-9) and own <= high * (1 + 1e-9)
+            for own, (low, high) in zip(size, hulls, strict=True)
+        )
+
+    def _room(self, path: str, size: tuple[float, float]) -> float:
+        """Return how often a region can stand in its parent; 1 where it is in no layout at all."""
+        parent = path.rpartition("/")[0]
+        longest = self._longest(parent, size)
+        if longest <= 0 or not self._may_stand(path):
+            return 1.0
+        narrowest = max(self.hull(path, self.axis(parent))[0], 1e-9 * longest)
+        return min(longest / narrowest, longest_count(self.group_of[parent], parent, path))
+
+    def _may_stand(self, path: str) -> bool:
+        """Tell whether the words of a region's ancestors can lead to it."""
+        parent = path.rpartition("/")[0]
+        if not parent:
+            return True
+        return longest_count(self.group_of[parent], parent, path) >= 1 and self._may_stand(parent)
+
+    def _longest(self, path: str, size: tuple[float, float]) -> float:
+        axis = self.axis(path)
+        return min(self.frame(path, size)[axis], self.hull(path, axis)[1])
+
+    def _instances(self, rule: Variants, room: float, size: tuple[float, float]) -> tuple[int, bool]:
+        """Return how many instances of a region can stand in its parent, and may; whether the rule says so.
+
+        It does where some must be replicas, or must not.
+        """
         parent = rule.path.rpartition("/")[0]
-        axis = self.axis(parent)
-        longest = min(self.frame(parent, size)[axis], self.hull(parent, axis)[1])
-        region = self.facade.regions[parent]
-        allowed = rule.most.at(longest / (region.width, region.height)[axis])
-        narrowest = max(self.hull(rule.path, axis)[0], 1e-9 * longest)
-        room = min(longest / narrowest, longest_count(self.group_of[parent], parent, rule.path))
-        return int(max(1.0, min(allowed, room, MOST_INSTANCES)) + 1e-6)
+        source = self.facade.regions[parent]
+        growth = self._longest(parent, size) / (source.width, source.height)[self.axis(parent)]
+        allowed = rule.most.at(growth)
+        bound = rule.least.value > 0 or rule.most.value < math.inf
+        if not rule.most.relative and not rule.least.relative:
+            bound = rule.least.value > 1 or rule.most.value < room
+        return int(max(1.0, min(allowed, room, MOST_INSTANCES)) + 1e-6), bound
 
     def axis(self, path: str) -> int:
         """Return the axis that a composite region splits."""
@@ -220,8 +258,8 @@ class Model:
         lows, highs = [low for low, _ in inner], [high for _, high in inner]
         if AXIS[region.split] == axis:
             machine = group.machine((path,))
-            return shortest(machine, _summed(machine, group, lows)), longest(
-                machine, _summed(machine, group, highs)
+            return shortest(machine, summed(machine, group, lows)), longest(
+                machine, summed(machine, group, highs)
             )
         always = [inner[group.letters.index(letter)] for letter in group.always(path)]
         return reduce(meet, always, (min(lows), max(highs)))
@@ -239,6 +277,17 @@ class Model:
             steps = (other.split("/") for other in counted)
             self._holders[counted] = frozenset("/".join(s[:n]) for s in steps for n in range(1, len(s)))
         return path in self._holders[counted]
+
+    def alone(self, group: WordGroup, within: str, counted: frozenset[str]) -> bool:
+        """Tell whether, of all choices inside a region, only one member of a group decides on a count."""
+        key = (group, within, counted)
+        if key not in self._alone:
+            inside = (own for own in self.open_paths if f"{own}/".startswith(f"{within}/"))
+            deciding = [
+                own for own in inside if self.holds(own, counted) and self.group_of[own].forced is None
+            ]
+            self._alone[key] = len(deciding) == 1 and deciding[0] in group.members
+        return self._alone[key]
 
     def content(self, path: str, counted: frozenset[str], size: tuple[float, float]) -> Interval:
         """Return least and greatest number of counted regions in one region of the path, itself included.
@@ -266,16 +315,17 @@ class Model:
             word = [inner[group.letters.index(letter)] for letter in group.forced]
             return sum(low for low, _ in word), sum(high for _, high in word)
         machine, axis = group.machine((path,)), self.axis(path)
-        least = shortest(machine, _summed(machine, group, [low for low, _ in inner]))
-        most = longest(machine, _summed(machine, group, [high for _, high in inner]))
+        least = shortest(machine, summed(machine, group, [low for low, _ in inner]))
+        most = longest(machine, summed(machine, group, [high for _, high in inner]))
         length = min(self.frame(path, size)[axis], self.hull(path, axis)[1])
         narrowest = [max(self.hull(child, axis)[0], 1e-9 * length) for child in paths]
         dense = max(high / width for (_, high), width in zip(inner, narrowest, strict=True))
         return least, min(most, dense * length * (1 + 1e-9))
 
     def weights(self, group: WordGroup, machine: Machine) -> Floats:
-        """Return the weight of each letter in each state: its share of what may follow, by its frequency.
+        """Return the weight of each letter in each state: its share of what may follow.
 
+        It goes by the letter's frequency in the input, times the weight of the sequences that go on with it.
         The shares of a state add up to 1, so that a word of the input's kind is the likeliest: without that,
         words of many narrow letters would win by their number.
         """
@@ -284,16 +334,10 @@ class Model:
         often = np.array(
             [sum(float(seen[symbols[letter]]) for letter in parts) / len(parts) for parts in machine.parts]
         )
-        shares = np.where(machine.next >= 0, often, 0.0)
+        shares = np.where(machine.next >= 0, often * group.preferences(machine), 0.0)
         total = shares.sum(axis=1, keepdims=True)
         weights: Floats = np.divide(shares, total, out=np.zeros_like(shares), where=total > 0)
         return weights
-
-
-def _summed(machine: Machine, group: WordGroup, values: Sequence[float]) -> list[float]:
-    """Return, for each letter of a machine, the sum of what its parts have."""
-    own = dict(zip(group.letters, values, strict=True))
-    return [sum(own[letter] for letter in parts) for parts in machine.parts]
 
 
 def meet(one: Interval, other: Interval) -> Interval:
@@ -322,43 +366,3 @@ def _own_sizes(
                 if path not in shapes:  # defaults stand behind what the document says
                     shapes[path] = constraint.shape(facade, path)
     return bounds, shapes
-
-
-def longest_count(group: WordGroup, member: str, path: str) -> float:
-    """Return how often a symbol can occur in a word of its parent; infinite if without end."""
-    machine, symbols = group.machine((member,)), group.symbols[member]
-    once = [1.0 if f"{member}/{symbols[letter]}" == path else 0.0 for letter in group.letters]
-    return longest(machine, _summed(machine, group, once))
-
-
-def shortest(machine: Machine, sizes: Sequence[float]) -> float:
-    """Return the least sum of sizes over all words; infinite if there is none."""
-    return _extreme(machine, sizes)
-
-
-def longest(machine: Machine, sizes: Sequence[float]) -> float:
-    """Return the greatest sum of sizes over all words; infinite where letters repeat without end."""
-    return -_extreme(machine, [-size for size in sizes])
-
-
-def _extreme(machine: Machine, sizes: Sequence[float]) -> float:
-    """Bellman-Ford over the machine: least sum from each state to acceptance; -inf on a falling cycle."""
-    if machine.empty:
-        return math.inf
-    moves = [
-        (state, int(after), sizes[letter])
-        for state, row in enumerate(machine.next)
-        for letter, after in enumerate(row)
-        if after >= 0
-    ]
-    best = [0.0 if accepting else math.inf for accepting in machine.accepting]
-    for _ in range(len(best) + 1):
-        changed = False
-        for state, after, size in moves:
-            # Every state completes a word, so a sum can only be infinite through a size that is.
-            if best[after] < math.inf and size + best[after] < best[state] - 1e-12:
-                best[state] = size + best[after]
-                changed = True
-        if not changed:
-            return best[0]
-    return -math.inf

@@ -1,4 +1,4 @@
-"""What this package adds to layoutkit: the stages `infer`, `relayout` and `explain`."""
+"""What this package adds to layoutkit: the stages `infer`, `relayout`, `count` and `explain`."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from layoutkit.hooks.specs import Stage, hookimpl
 @hookimpl
 def layoutkit_stages() -> Iterable[Stage]:
     """Return the stages."""
+    from layoutkit_relayout.counting.stage import CountArrangements
     from layoutkit_relayout.explanation.stage import Explain
     from layoutkit_relayout.inference.stage import Infer
     from layoutkit_relayout.stage import Relayout
 
-    return (Infer(), Relayout(), Explain())
+    return (Infer(), Relayout(), CountArrangements(), Explain())

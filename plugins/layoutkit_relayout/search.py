@@ -18,11 +18,12 @@ import numpy as np
 from layoutkit.model import Region
 from layoutkit.sizing.qp import Backend
 from layoutkit.sizing.solve import Conflict
+from layoutkit_relayout.bounding.foresight import Foresight
 from layoutkit_relayout.candidates import Candidates, Question, Word
 from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.measures import Measures
+from layoutkit_relayout.measures import Measured, Measures
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.outlook import Outlook
+from layoutkit_relayout.outlook import Outlook, upwards
 
 #: Successive multiples of it spread evenly over 0 to 1, whatever their number.
 _GOLDEN = 0.6180339887498949
@@ -35,16 +36,31 @@ Blame = frozenset[int]
 
 
 class Patience(NamedTuple):
-    """Words tried for a group before an earlier choice is doubted, and QPs solved for one choice of words."""
+    """How much is tried before it is left for later.
+
+    Attributes
+    ----------
+    words
+        Words tried for a group before an earlier choice is doubted.
+    problems
+        QPs solved for one choice of words.
+    programs
+        Linear programs that tell whether one more word leaves any for the other groups.
+    """
 
     words: float
     problems: int
+    programs: int
 
 
 #: Few at first, all words at last.
-ROUNDS = (Patience(5, 12), Patience(40, 60), Patience(math.inf, 400))
+ROUNDS = (Patience(5, 12, 0), Patience(40, 60, 6), Patience(math.inf, 400, 6))
+#: All at once.
+_EVERYTHING = Patience(math.inf, 400, 0)
 #: QPs that a look ahead may cost.
 _AHEAD = 20
+#: Linear programs for a proof by numbers and sizes alone, once words have been tried in vain.
+_PROGRAMS = 200
 
 
 @dataclass(frozen=True)
@@ -67,7 +83,7 @@ class Progress:
     """How far a search has come: its budget, and what it did not look into."""
 
     nodes: int
-    patience: Patience = ROUNDS[-1]
+    patience: Patience = _EVERYTHING
     used: int = 0
     cut_short: bool = False
     undecided: bool = False
@@ -86,7 +102,7 @@ class _Level:
 
     group: WordGroup
     question: Question
-    before: Words
+    outlook: Outlook
     candidates: Iterator[Candidate]
     preview: Preview
     blame: set[int] = field(default_factory=set)
@@ -103,12 +119,21 @@ class Search:
     ----------
     size
         Width and height, in document units.
+
+    Attributes
+    ----------
+    programs
+        Linear programs that a proof by numbers and sizes alone may take; 0: none is solved, for such proofs
+        or to look ahead.
     """
+
+    programs = _PROGRAMS
 
     def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
         self.model, self.size = model.at(size), size
         self.candidates = Candidates(self.model, size)
         self.measures = Measures(self.model, backends)
+        self.foresight = Foresight(self.model, size)
 
     def variation(self, seed: int, index: int, node_limit: int) -> Found:
         """Find one layout; variation `index` of a seed is the same whichever others are made."""
@@ -124,12 +149,20 @@ class Search:
                 if measured.root is not None:
                     return Found("found", measured.root, progress.used)
                 progress.undecided |= measured.conflict is None
-                descent.fail(measured.conflict)
-            if progress.used >= progress.nodes or not (progress.cut_short or progress.undecided):
+                descent.fail(measured)
+            if not (progress.cut_short or progress.undecided or progress.used >= progress.nodes):
+                break
+            if self._refuted(node_limit):
+                return Found("infeasible", None, progress.used)
+            if progress.used >= progress.nodes:
                 break
         proved = not (progress.undecided or progress.used >= progress.nodes)
         proved &= self.candidates.exact and self.model.exact
         return Found("infeasible" if proved else "limit", None, progress.used)
+
+    def _refuted(self, node_limit: int) -> bool:
+        """Tell whether numbers and sizes alone prove that there is no layout."""
+        return self.model.exact and self.foresight.refutes({}, min(node_limit, self.programs))
 
     def arrangements(self, node_limit: int) -> Iterator[Words]:
         """Yield the words of every layout that exists, by symbol path, each assignment once.
@@ -151,7 +184,7 @@ class Search:
                     f"sizing one arrangement takes more than {progress.patience.problems} programs"
                 )
             else:
-                descent.fail(measured.conflict)
+                descent.fail(measured)
         if progress.used >= progress.nodes:
             raise Undecided(f"there are more than {node_limit} words to try")
 
@@ -197,14 +230,24 @@ class _Descent:
                 blame = frozenset(range(len(self.levels))) if self._failure is None else self._failure
             words = self._next(blame)
 
-    def fail(self, conflict: Conflict | None) -> None:
-        """Say that the words just yielded cannot be sized; None: nobody knows why, or whether."""
-        if conflict is not None:
-            self._failure = self._blame(conflict)
+    def fail(self, measured: Measured) -> None:
+        """Say why the words just yielded cannot be sized; or that nobody knows why, or whether."""
+        if measured.conflict is not None:
+            self._failure = self._blame(measured.conflict)
         elif math.isfinite(self.progress.patience.words) and self.levels:
             # Nothing is known of the cause: try elsewhere first, and come back in the last round.
             self.progress.cut_short = True
-            self._failure = frozenset({int(self.generator.integers(0, len(self.levels)))})
+            self._failure = frozenset({self._suspected(measured.suspect)})
+
+    def _suspected(self, conflict: Conflict | None) -> int:
+        """Return the choice to go on with: where suspects were drawn together, or one of them, or any."""
+        numbers = list(range(len(self.levels)))
+        if conflict is not None:
+            numbers = self._hanging(conflict) or numbers
+            for number in numbers:
+                if len(self.levels[number].plan) > 1:
+                    return number
+        return numbers[int(self.generator.integers(0, len(numbers)))]
 
     def _descend(self, words: Words) -> Blame | None:
         """Open the next group's choice below some words; None where there is nothing left to choose.
@@ -213,29 +256,41 @@ class _Descent:
         """
         everyone = frozenset(range(len(self.levels)))
         while True:
-            self._outlook = Outlook(self.model, self.search.size, words)
-            if not self._outlook.counted():
+            before = self.levels[-1].outlook if self.levels else None
+            self._outlook = Outlook(self.model, self.search.size, words, before)
+            if not (self._outlook.counted() and self._outlook.agreed()):
                 return everyone
-            group = self._outlook.next_group()
+            group = self._outlook.next_group
             if group is None:
                 return None
             question = self._outlook.question(group)
-            if question is None or not self.search.candidates.any(group, question):
+            if question is None or not self._any(group, question):
                 return frozenset(range(self._dead_since(group)))
             preview = self._preview(group, question)
             candidates = self._candidates(group, question, preview)
-            self.levels.append(_Level(group, question, self._outlook.words, candidates, preview))
+            self.levels.append(_Level(group, question, self._outlook, candidates, preview))
             following = self._advance()
             if following is None:
                 return self._exhausted()
             words = following
             everyone = frozenset(range(len(self.levels)))
 
+    def _any(self, group: WordGroup, question: Question) -> bool:
+        """Tell whether some word fits: the planned one, or another."""
+        plan, candidates = self._plan(group), self.search.candidates
+        return (group in plan and candidates.suits(group, question, plan[group])) or candidates.any(
+            group, question
+        )
+
+    def _plan(self, group: WordGroup) -> Mapping[WordGroup, Word]:
+        """Return the words that were drawn together with one for a group; none if it was in no such draw."""
+        return next((level.plan for level in reversed(self.levels) if group in level.plan), {})
+
     def _preview(self, group: WordGroup, question: Question) -> Preview:
         """Return the likely sizes of what has no word yet, for groups whose length is not given."""
         known = next((level.preview for level in reversed(self.levels) if level.preview), None)
-        planned = any(group in level.plan for level in self.levels)
-        if known is not None and (planned or len(self.search.candidates.choir.partners(group)) == 1):
+        planned = bool(self._plan(group))
+        if known is not None and (planned or len(self.search.candidates.choir.company.partners(group)) == 1):
             return known  # not quite what it would be now, but near enough
         if all(longest - shortest <= 1e-9 * longest for _, (shortest, longest) in question.members):
             return {}
@@ -244,8 +299,8 @@ class _Descent:
     def _candidates(self, group: WordGroup, question: Question, preview: Preview) -> Iterator[Candidate]:
         """Yield words for a group: as planned, then together with groups that it has to meet, then any."""
         seen = set()
-        plan = next((level.plan for level in reversed(self.levels) if group in level.plan), {})
-        if plan:
+        plan = self._plan(group)
+        if plan and self.search.candidates.suits(group, question, plan[group]):
             seen.add(plan[group])
             yield Candidate(plan[group], plan)
         for words in self._together(group, question, preview):
@@ -263,8 +318,8 @@ class _Descent:
         self, group: WordGroup, question: Question, preview: Preview
     ) -> Iterator[Mapping[WordGroup, Word]]:
         """Yield words for a group and all that it has to meet along the region in which they stand."""
-        choir = self.search.candidates.choir
-        stage, axis = choir.stage(group), self.model.axis(group.members[0])
+        company = self.search.candidates.choir.company
+        stage, axis = company.stage(group), self.model.axis(group.members[0])
         length = preview[group.members[0]][axis] if group.members[0] in preview else 0.0
         if question.given is not None or stage is None:
             return
@@ -273,8 +328,8 @@ class _Descent:
         if not length:
             return
         open_ = {group: question}
-        for other in sorted(choir.partners(group) - {group}, key=self.model.groups.index):
-            if any(member in self._outlook.lengths for member in other.members):
+        for other in sorted(company.partners(group) - {group}, key=self.model.groups.index):
+            if any(map(self._outlook.reaches, other.members)):
                 own = self._outlook.question(other)
                 if own is None:
                     return
@@ -308,13 +363,21 @@ class _Descent:
             level.word, level.plan = word, plan
             if (blame := self._remembered()) is None:
                 members = {m: level.group.word_of(m, word) for m, _ in level.question.members}
-                chosen = {**level.before, **members}
+                chosen = {**level.outlook.words, **members}
                 # What was planned together is sized together.
                 blame = self._refused(chosen) if level.group not in plan else None
+                if blame is None and self._leaves_none():
+                    blame = frozenset(range(len(self.levels)))
                 if blame is None:
                     return chosen
             level.blame |= blame - {own}
         return None
+
+    def _leaves_none(self) -> bool:
+        """Tell whether the words chosen provably leave none for other groups, by numbers and sizes alone."""
+        programs = min(self.search.programs, self.progress.patience.programs)
+        words = {level.group: level.word for level in self.levels}
+        return self.search.foresight.refutes(words, programs)
 
     def _exhausted(self) -> Blame:
         """Drop the last level, and return what it failed for: its words' faults, and what narrowed it."""
@@ -335,14 +398,19 @@ class _Descent:
 
     def _blame(self, conflict: Conflict) -> Blame:
         """Return the choices that a refuted sizing hangs on, and remember them."""
-        numbers = range(len(self.levels))
-        if conflict.words is not None:
-            groups = {self.model.group_of[p] for path in conflict.words for p in _upwards(path)}
-            numbers = [n for n in numbers if self.levels[n].group in groups]  # type: ignore[assignment]
+        numbers = self._hanging(conflict)
         refuted = frozenset((self.levels[n].group, self.levels[n].word) for n in numbers)
         for pair in refuted:
             self._refuted[pair].append(refuted)
         return frozenset(numbers)
+
+    def _hanging(self, conflict: Conflict) -> list[int]:
+        """Return the choices that a conflict hangs on."""
+        numbers = range(len(self.levels))
+        if conflict.words is None:
+            return list(numbers)
+        groups = {self.model.group_of[p] for path in conflict.words for p in upwards(path)}
+        return [n for n in numbers if self.levels[n].group in groups]
 
     def _refused(self, words: Words) -> Blame | None:
         """Size the axis of the last group if it is tied to others chosen before it, all else still open."""
@@ -355,9 +423,8 @@ class _Descent:
 
     def _dead_since(self, group: WordGroup) -> int:
         """Return after how many choices no word of a group fits any more; 0 if none ever does."""
-        for number, words in enumerate(level.before for level in self.levels):
-            outlook = Outlook(self.model, self.search.size, words)
-            if any(member in outlook.lengths for member in group.members):
+        for number, outlook in enumerate(level.outlook for level in self.levels):
+            if any(map(outlook.reaches, group.members)):
                 question = outlook.question(group)
                 if question is None or not self.search.candidates.any(group, question):
                     return number
@@ -365,16 +432,10 @@ class _Descent:
 
     def _asked_since(self, level: _Level) -> int:
         """Return after how many choices the question of a level was what it is now."""
-        for number, earlier in enumerate(self.levels):
-            outlook = Outlook(self.model, self.search.size, earlier.before)
-            reached = any(member in outlook.lengths for member in level.group.members)
-            if reached and outlook.question(level.group) == level.question:
+        for number, outlook in enumerate(earlier.outlook for earlier in self.levels):
+            if (
+                any(map(outlook.reaches, level.group.members))
+                and outlook.question(level.group) == level.question
+            ):
                 return number
         return len(self.levels)
-
-
-def _upwards(path: str) -> Iterator[str]:
-    """Yield a path and all that it lies in."""
-    while path:
-        yield path
-        path = path.rpartition("/")[0]

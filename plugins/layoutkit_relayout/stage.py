@@ -12,10 +12,15 @@ from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Facade, Layout, Measure
 
 if TYPE_CHECKING:
+    from layoutkit_relayout.explanation.refusal import Refusal
+    from layoutkit_relayout.sampling import Sampling
+    from layoutkit_relayout.search import Found
     from layoutkit_relayout.wishes import Granted
 
 #: Words tried for one variation before the search gives up.
 NODE_LIMIT = 2000
+#: What explaining may cost where there is no variation: about a second.
+EFFORT = 60_000
 
 
 @dataclass(frozen=True)
@@ -32,8 +37,14 @@ class RelayoutOptions:
         Target size, absolute or a percentage of the input's.
     seed
         Start of all random choices.
+    sampling
+        Which arrangements they have: ``weighted``, likely ones; ``uniform``, each that exists equally often;
+        ``diverse``, such as are far from each other, of which more are drawn than are taken.
     node_limit
         Words tried for one variation before the search gives up.
+    effort
+        What it may cost to tell why there is no variation: each search, and each word tried in it, as much as
+        the input has regions.
     """
 
     count: int = 8
@@ -41,7 +52,9 @@ class RelayoutOptions:
     width: Measure = field(default=Measure(1.0, relative=True))
     height: Measure = field(default=Measure(1.0, relative=True))
     seed: int = 0
+    sampling: Sampling = "weighted"
     node_limit: int = NODE_LIMIT
+    effort: int = EFFORT
 
 
 class Relayout(Stage):
@@ -70,21 +83,30 @@ class Relayout(Stage):
                     made += 1
             except TooManyStates as error:
                 for _ in range(options.count - made):
-                    yield Outcome("limit", None, (_too_many(error),))
+                    yield Outcome("limit", None, (too_many(error),))
 
     def _variations(self, facade: Facade, options: RelayoutOptions) -> Iterator[Outcome]:
         from layoutkit.sizing.backends import BACKENDS
+        from layoutkit_relayout.explanation.refusal import refusal
+        from layoutkit_relayout.sampling import SAMPLERS
         from layoutkit_relayout.wishes import granted
 
         start = time.perf_counter()
         size = layout_size(facade, options.width, options.height)
         found_out = granted(facade, size, BACKENDS, options.node_limit)
-        search, remarks = found_out.search, tuple(_left_out(found_out))
+        sampler, remarks = SAMPLERS[options.sampling](found_out.search), tuple(left_out(found_out))
+        refusals: dict[str, Refusal] = {}
         for index in range(options.first, options.first + options.count):
-            found = search.variation(options.seed, index, options.node_limit)
+            found = sampler.variation(options.seed, index, options.node_limit)
             seconds = time.perf_counter() - start
             if found.root is None:
-                yield Outcome(found.status, None, (_none(facade, size, found.status, found.nodes),), seconds)
+                if remark := _told(found):
+                    yield Outcome(found.status, None, remark, seconds)
+                else:
+                    if found.status not in refusals:  # other variations fail for the same reason
+                        refusals[found.status] = refusal(facade, size, options.seed, found, options.effort)
+                    why = refusals[found.status]
+                    yield Outcome(found.status, None, why.diagnostics, seconds, why.explanation)
             else:
                 layout = Layout(
                     f"{facade.name}-{index + 1}",
@@ -95,12 +117,12 @@ class Relayout(Stage):
                     index=index,
                     mass=None if facade.building is None else facade.building.mass,
                 )
-                yield _with(remarks, _checked(layout, seconds))
+                yield _with((*remarks, *_told(found)), _checked(layout, seconds))
                 remarks = ()
             start = time.perf_counter()
 
 
-def _left_out(found: Granted) -> Iterator[Diagnostic]:
+def left_out(found: Granted) -> Iterator[Diagnostic]:
     """Yield a note of every soft constraint that no layout of this size keeps."""
     for constraint in found.refused:
         yield Diagnostic(
@@ -148,7 +170,8 @@ def _checked(layout: Layout, seconds: float) -> Outcome:
     return Outcome("limit", None, (about,), seconds)
 
 
-def _too_many(error: Exception) -> Diagnostic:
+def too_many(error: Exception) -> Diagnostic:
+    """Return what is to be said of sequences that are too many to search."""
     return Diagnostic(
         "LK601",
         f"the sequences of a region are too many to search: {error}",
@@ -157,18 +180,19 @@ def _too_many(error: Exception) -> Diagnostic:
     )
 
 
-def _none(facade: Facade, size: tuple[float, float], status: str, nodes: int) -> Diagnostic:
-    at = f"{size[0]:g} × {size[1]:g} {facade.units}"
-    if status == "infeasible":
-        return Diagnostic(
-            "LK203",
-            f"these constraints cannot hold together at {at}",
-            hint="`layoutkit explain` at this size names those in conflict, and what would help",
+def _told(found: Found) -> tuple[Diagnostic, ...]:
+    """Return what there is to say of an even draw."""
+    from layoutkit_relayout.sampling import Told
+
+    if not isinstance(found, Told) or not found.remark:
+        return ()
+    if found.root is not None:
+        return (Diagnostic("LK604", found.remark, severity=Severity.NOTE, topic="search"),)
+    return (
+        Diagnostic(
+            "LK605",
+            f"no variation was drawn evenly: {found.remark}",
+            hint="vary with --sampling weighted or diverse, or at another size",
             topic="search",
-        )
-    return Diagnostic(
-        "LK601",
-        f"no layout was found at {at} within {nodes} words tried",
-        hint="raise the node limit, or relax a constraint",
-        topic="search",
+        ),
     )

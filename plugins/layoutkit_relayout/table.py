@@ -61,6 +61,8 @@ class CompletionTable:
         Sizes and weights of the letters.
     reach
         The greatest length that will be asked for.
+    fineness
+        How many times finer the grid is than usually.
 
     Attributes
     ----------
@@ -69,13 +71,14 @@ class CompletionTable:
         fills.
     """
 
-    def __init__(self, machine: Machine, letters: Letters, reach: float) -> None:
+    def __init__(self, machine: Machine, letters: Letters, reach: float, fineness: int = 1) -> None:
         self.machine, self.weights = machine, letters.weights
         usable = letters.least <= letters.most
         narrowest = float(letters.least[usable].min(initial=reach))
         self._cells = COARSE
         while self._cells < FINE and narrowest * self._cells < _NARROWEST * reach:
             self._cells *= 2
+        self._cells *= fineness
         self._cell = reach / self._cells
         low = np.maximum(1, np.floor(letters.least / self._cell + 1e-9))
         self.exact = bool(narrowest >= self._cell)
@@ -84,6 +87,11 @@ class CompletionTable:
         self._high = np.where(usable, np.maximum(low, high), self._cells + 2).astype(np.int64)
         self._fitting = _cumulative(machine, self._low, letters.weights, self._cells)
         self._falling_short = _cumulative(machine, self._high, letters.weights, self._cells)
+
+    @property
+    def cells(self) -> int:
+        """How many lengths are told apart, over all states."""
+        return self._cells * len(self.machine.accepting)
 
     def at(self, shortest: float, longest: float) -> Completions:
         """Return the words that can fill a length between these two."""

@@ -7,7 +7,7 @@ speaks of all of them, and what is inside is there three times. Whatever the sea
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 
@@ -22,6 +22,7 @@ from layoutkit.constraints.word_rules import (
     Mirrored,
     State,
     Variants,
+    Weighing,
     WordRule,
 )
 from layoutkit.model import Facade, Region
@@ -79,6 +80,16 @@ class Renamed:
         """Return what the automaton says."""
         return self.automaton.accepts(state)
 
+    @property
+    def weighs(self) -> bool:
+        """Whether the automaton does."""
+        return isinstance(self.automaton, Weighing) and self.automaton.weighs
+
+    def weight(self, state: State, symbol: str) -> float:
+        """Return what the automaton says of the symbol that documents know."""
+        known = symbol.partition(MARK)[0]
+        return self.automaton.weight(state, known) if isinstance(self.automaton, Weighing) else 1.0
+
 
 class InOrder:
     """Accepts words in which the instances of a symbol first occur in the order of their numbers.
@@ -112,19 +123,23 @@ class Varied:
     ----------
     demands
         How many different instances regions have to have.
-    exact
-        Whether no layout is lost.
+    alike
+        Regions whose words agree, though their instances need not: each symbol with the name that all share.
     """
 
     facade: Facade
     constraints: tuple[Constraint, ...]
     rules: tuple[WordRule, ...]
-    demands: tuple[Variants, ...]
-    exact: bool
+    demands: tuple[Variants, ...] = ()
+    alike: tuple[Mapping[str, Mapping[str, str]], ...] = ()
 
 
 def varied(
-    facade: Facade, constraints: Sequence[Constraint], rules: Sequence[WordRule], most: Mapping[str, int]
+    facade: Facade,
+    constraints: Sequence[Constraint],
+    rules: Sequence[WordRule],
+    most: Mapping[str, int],
+    free: Collection[str],
 ) -> Varied:
     """Give every instance a name.
 
@@ -134,6 +149,8 @@ def varied(
         What the constraints ask of the original's words.
     most
         How many instances each region that may vary can have.
+    free
+        Those of which each occurrence may be an instance of its own, and none has to differ.
     """
     aliases = {
         path: (symbol := path.rpartition("/")[2], *(f"{symbol}{MARK}{n}" for n in range(2, count + 1)))
@@ -143,7 +160,10 @@ def varied(
     own_fields = {known.name: getattr(facade, known.name) for known in fields(facade)}
     named = VariedFacade(**own_fields, aliases=aliases)
     spoken = tuple(other for constraint in constraints for other in spread(constraint, aliases))
-    found = [other for rule in rules for other in _rewritten(rule, aliases)]
+    agreements = [rule for rule in rules if isinstance(rule, Agree)]
+    united = [rule for rule in agreements if _even(rule, aliases, free)]
+    found: list[WordRule] = [_numbered(rule, aliases) for rule in united]
+    found += [other for rule in rules for other in _rewritten(rule, aliases)]
     demands = tuple(rule for rule in rules if isinstance(rule, Variants) and rule.least.value > 0)
     for path in most:
         parent, _, symbol = path.rpartition("/")
@@ -151,23 +171,13 @@ def varied(
         for alias in aliases_of(parent, aliases):
             in_order = InOrder(aliases.get(path, (symbol,)), math.ceil(max(least, default=1.0) - 1e-9))
             found.append(Admits(alias, in_order, ()))
-    exact = not any(isinstance(rule, Agree) and _uneven(rule, aliases) for rule in rules)
-    return Varied(replace(named, constraints=spoken), spoken, tuple(found), demands, exact)
+    alike = tuple(_named(rule, aliases) for rule in agreements if rule not in united)
+    return Varied(replace(named, constraints=spoken), spoken, tuple(found), demands, alike)
 
 
 def _rewritten(rule: WordRule, aliases: Aliases) -> Iterator[WordRule]:
     """Yield what a rule means once instances have names."""
     if isinstance(rule, Agree):
-        symbols = {
-            alias: {
-                f"{name}{number}": other
-                for name, symbol in own.items()
-                for number, other in enumerate(aliases.get(f"{path}/{symbol}", (symbol,)))
-            }
-            for path, own in rule.symbols.items()
-            for alias in aliases_of(path, aliases)
-        }
-        yield Agree(symbols, rule.origin)
         return
     names = _names_in(rule.path, aliases)
     for path in aliases_of(rule.path, aliases):
@@ -190,13 +200,53 @@ def _names_in(path: str, aliases: Aliases) -> dict[str, tuple[str, ...]]:
     return {own.rpartition("/")[2]: names for own, names in aliases.items() if own.rpartition("/")[0] == path}
 
 
-def _uneven(rule: Agree, aliases: Aliases) -> bool:
-    """Tell whether a symbol may vary in one of the regions that agree more than in another."""
+def _even(rule: Agree, aliases: Aliases, free: Collection[str]) -> bool:
+    """Tell whether regions that agree may as well name their instances alike.
+
+    So it is where nothing varies inside them, or the same symbols do in all, and are free to.
+    """
     counts = {
-        frozenset((name, len(aliases.get(f"{path}/{symbol}", (symbol,)))) for name, symbol in own.items())
+        frozenset(name for name, symbol in own.items() if f"{path}/{symbol}" in aliases)
         for path, own in rule.symbols.items()
     }
-    return len(counts) > 1
+    varying = {f"{path}/{s}" for path, own in rule.symbols.items() for s in own.values()} & aliases.keys()
+    return len(counts) == 1 and varying <= set(free)
+
+
+def _numbered(rule: Agree, aliases: Aliases) -> Agree:
+    """Return an agreement of words in which the instances of a symbol are numbered alike."""
+    names = {name for own in rule.symbols.values() for name in own}
+    least = {
+        name: min(
+            len(aliases.get(f"{path}/{own[name]}", ("",)))
+            for path, own in rule.symbols.items()
+            if name in own
+        )
+        for name in names
+    }
+    symbols = {
+        alias: {
+            f"{name}{number}": other
+            for name, symbol in own.items()
+            for number, other in enumerate(aliases.get(f"{path}/{symbol}", (symbol,))[: least[name]])
+        }
+        for path, own in rule.symbols.items()
+        for alias in aliases_of(path, aliases)
+    }
+    return Agree(symbols, rule.origin)
+
+
+def _named(rule: Agree, aliases: Aliases) -> dict[str, dict[str, str]]:
+    """Return, for each region that agrees, the name of every symbol, the same for all its instances."""
+    return {
+        alias: {
+            other: name
+            for name, symbol in own.items()
+            for other in aliases.get(f"{path}/{symbol}", (symbol,))
+        }
+        for path, own in rule.symbols.items()
+        for alias in aliases_of(path, aliases)
+    }
 
 
 def unnamed(root: Region) -> Region:

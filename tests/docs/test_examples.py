@@ -21,12 +21,13 @@ _CONSOLE = re.compile(r"```console\n(.*?)```", re.S)
 
 @pytest.fixture
 def environment(tmp_path: Path) -> dict[str, str]:
-    """Return an environment in which `layoutkit` is the program under test."""
+    """Return an environment in which `layoutkit` is the program under test, and `python` runs this one."""
     programs = tmp_path / "bin"
     programs.mkdir()
-    script = programs / "layoutkit"
-    script.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m layoutkit "$@"\n')
-    script.chmod(0o755)
+    for name, arguments in (("layoutkit", "-m layoutkit "), ("python", "")):
+        script = programs / name
+        script.write_text(f'#!/bin/sh\nexec "{sys.executable}" {arguments}"$@"\n')
+        script.chmod(0o755)
     path = os.pathsep.join([str(programs), os.environ.get("PATH", "")])
     ours = os.pathsep.join([str(ROOT), str(ROOT / "plugins"), os.environ.get("PYTHONPATH", "")])
     return {**os.environ, "PATH": path, "PYTHONPATH": ours}

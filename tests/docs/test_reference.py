@@ -9,10 +9,18 @@ from types import ModuleType
 
 import pytest
 
+from layoutkit.constraints import BUILT_IN, Constraint
+from layoutkit.documents import check
 from layoutkit.hooks import Hooks
 
 ROOT = Path(__file__).parents[2]
 PAGES = [*ROOT.glob("*.md"), *sorted((ROOT / "docs").rglob("*.md"))]
+
+FACADE = """<facade xmlns="urn:layoutkit:1" name="other" units="m">
+  <region symbol="Other" width="1" height="1"/>
+  <constraints>{}</constraints>
+</facade>
+"""
 
 
 def generator() -> ModuleType:
@@ -28,6 +36,22 @@ def generator() -> ModuleType:
 def test_generated_pages_are_up_to_date(name: str) -> None:
     written = (ROOT / "docs" / "reference" / name).read_text(encoding="utf-8")
     assert written == generator().PAGES[name](), "run `python docs/generate.py`"
+
+
+@pytest.mark.parametrize("kind", BUILT_IN, ids=lambda kind: kind.kind)
+def test_every_kind_of_constraint_has_an_example_that_can_be_parsed(
+    kind: type[Constraint], tmp_path: Path
+) -> None:
+    page = (ROOT / "docs" / "reference" / "constraints.md").read_text(encoding="utf-8")
+    (section,) = re.findall(rf"^## {kind.kind}\n(.*?)^## ", page, re.M | re.S)
+    (example,) = re.findall(r"```xml\n(.*?)```", section, re.S)
+    assert example.startswith("<!-- "), "it says what it is for"
+    assert f"\n<{kind.kind} " in example
+    file = tmp_path / "example.xml"
+    file.write_text(FACADE.format(example), encoding="utf-8")
+    # Names of regions are those of another facade: all that is left to complain of.
+    found = {d.code for d in check(file, {kind.kind: kind})}
+    assert found == {"LK201"}
 
 
 def test_every_hook_is_documented() -> None:

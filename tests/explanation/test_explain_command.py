@@ -169,6 +169,30 @@ def test_a_limit_has_a_code_of_its_own(rivoli: Path, layoutkit: Any, monkeypatch
     assert "within 5 words tried" in run.err
 
 
+BLOCK = """<mass xmlns="urn:layoutkit:1" name="block" units="m">
+  <box x="0" y="0" width="{}" depth="4" height="4"/>
+</mass>
+"""
+
+
+def test_a_building_is_explained_by_its_mass(rivoli: Path, tmp_path: Path, layoutkit: Any) -> None:
+    (tmp_path / "narrow.xml").write_text(BLOCK.format(4), encoding="utf-8")
+    run = layoutkit("explain", rivoli, "--mass", tmp_path / "narrow.xml", "--json", "-o", tmp_path / "out")
+    assert run.code == 3
+    (conflict, *_) = run.data["conflicts"]
+    assert conflict["minimal"]
+    assert [m["subject"] for m in conflict["members"]] == [
+        "size of Building/South/A, 2 of",
+        "size of Building/South/B/C, 3 of",
+        "arrangement of Building/South",
+        "arrangement of Building/South/B",
+    ]
+    assert all(remedy["size"] is None for remedy in conflict["remedies"]), "the mass gives the size"
+    assert (tmp_path / "out" / "layout.png").exists()
+    run = layoutkit("explain", rivoli, "--mass", tmp_path / "narrow.xml", "--width", 7)
+    assert (run.code, "LK706" in run.err) == (2, True)
+
+
 def test_its_own_input_is_not_overwritten(tmp_path: Path, layoutkit: Any) -> None:
     own = tmp_path / "facade.xml"
     own.write_text(RIVOLI, encoding="utf-8")

@@ -77,7 +77,7 @@ def axis_of(arrangement: Arrangement, axis: int, rules: Sequence[SizeRule]) -> A
     own = [rule for rule in (*rules, *arrangement.tilings) if rule.axis == axis]
     regions = arrangement.facade.regions
     nominal = arrangement.nominal(axis, 1.0, lambda path: (regions[path].width, regions[path].height)[axis])
-    return Axis(axis, arrangement.variables[axis], own, np.array(nominal))
+    return Axis(axis, arrangement.variables[axis], own, (np.array(nominal),))
 
 
 def size(axis: Axis, extent: float, budget: int, backends: Sequence[Backend] = BACKENDS) -> Sized:

@@ -32,14 +32,25 @@ def by_value(units: Iterable[Unit]) -> list[Unit]:
 
 
 def grown(judge: Judge, units: Sequence[Unit]) -> Region | None:
-    """Return a layout that keeps as many units as can be managed, the first ones rather than later ones."""
-    kept = _grow(judge, [], list(units))
+    """Return a layout that keeps as many units as can be managed: the best one so far, and what it can be.
+
+    Of those that it breaks, the first ones are mended rather than later ones.
+    """
+    best = min(judge.witnesses, key=lambda witness: broken(witness, judge.units), default=None)
+    kept = [unit for unit in units if best is not None and best.keeps(unit)]
+    kept = _grow(judge, kept, [unit for unit in units if unit not in kept])
     return judge.ask(kept).root
+
+
+def broken(witness: Witness, units: Iterable[Unit]) -> tuple[int, ...]:
+    """Return how many units a layout breaks: all in all, then those whose loss is the greatest first."""
+    lost = Counter(loss(unit) for unit in units if not witness.keeps(unit))
+    return (lost.total(), *(lost[grade] for grade in (3, 2, 1, 0)))
 
 
 def _grow(judge: Judge, kept: list[Unit], units: list[Unit]) -> list[Unit]:
     """Add to units that can hold as many others as can hold beside them, halves at once where they can."""
-    if not units or judge.ask([*kept, *units]).status == "found":
+    if not units or judge.glance([*kept, *units]).status == "found":
         return [*kept, *units]
     if len(units) == 1:
         return kept
@@ -56,14 +67,12 @@ def mildest(facade: Facade, units: Sequence[Unit], ways: Iterable[Way], otherwis
         A layout that is taken if no way out admits a better one.
     """
 
-    def broken(root: Region) -> tuple[int, ...]:
-        witness = Witness(facade, root)
-        lost = Counter(loss(unit) for unit in units if not witness.keeps(unit))
-        return tuple(lost[grade] for grade in (3, 2, 1, 0))
+    def lost(root: Region) -> tuple[int, ...]:
+        return broken(Witness(facade, root), units)
 
     usable = [way for way in in_order(ways) if way.remedy.size is None]
-    best = min(usable, key=lambda way: broken(way.root), default=None)
-    return otherwise if best is None or broken(best.root) > broken(otherwise) else best.root
+    best = min(usable, key=lambda way: lost(way.root), default=None)
+    return otherwise if best is None or lost(best.root) > lost(otherwise) else best.root
 
 
 def as_layout(facade: Facade, root: Region, name: str, seed: int) -> Layout:

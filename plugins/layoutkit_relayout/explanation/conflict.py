@@ -17,6 +17,8 @@ from layoutkit_relayout.explanation.units import Unit, without
 Infeasible = Callable[[Sequence[Unit]], bool]
 #: Answers that cannot be told at a glance until a conflict is left as wide as it is.
 _PATIENCE = 10
+#: Conflicts of more units are looked at longer before each unit is.
+_MANY = 12
 #: What of each unit takes part in a conflict.
 Parts = dict[Unit, tuple[Constraint, ...]]
 Split = Callable[[Constraint, Facade], list[Constraint]]
@@ -54,14 +56,32 @@ def minimal_core(judge: Judge, units: Sequence[Unit]) -> Core:
         The more a unit is wanted in the conflict, the further in front: later ones take part only if it
         cannot be shown without them.
     """
-    found = quickxplain(lambda some: judge.glance(some).status == "infeasible", units)
-    # A search that gives up too soon leaves units in that are not needed: now look longer.
+    found = list(units)
+    if judge.plain(units):
+        # What has nothing to do with it is out in no time.
+        found = quickxplain(judge.plain, found)
+    found = quickxplain(lambda some: judge.glance(some).status == "infeasible", found)
+    if len(found) > _MANY:
+        found = quickxplain(lambda some: judge.settle(some).status == "infeasible", found)
+    # A look that gives up too soon leaves units in that are not needed: now look longer.
     while True:
-        verdicts = {unit: judge.settle(without(found, unit)).status for unit in found[::-1]}
-        spare = next((unit for unit, status in verdicts.items() if status == "infeasible"), None)
-        if spare is None:
-            return Core(tuple(found), frozenset(u for u, status in verdicts.items() if status == "limit"))
-        found = without(found, spare)
+        core = _pruned(judge, found)
+        # With fewer others, what could not be told before may be.
+        if core.minimal or len(core.units) == len(found):
+            return core
+        found = list(core.units)
+
+
+def _pruned(judge: Judge, units: Sequence[Unit]) -> Core:
+    """Leave out each unit, the last ones first, without which the others still cannot hold."""
+    found, unproved = list(units), set[Unit]()
+    for unit in reversed(units):
+        status = judge.settle(rest := without(found, unit)).status
+        if status == "infeasible":
+            found = rest
+        elif status == "limit":
+            unproved.add(unit)
+    return Core(tuple(found), frozenset(unproved))
 
 
 def quickxplain(infeasible: Infeasible, units: Sequence[Unit]) -> list[Unit]:

@@ -55,10 +55,16 @@ def explain(
     return explained(judge, suspects)
 
 
-def explained(judge: Judge, suspects: Suspects = ()) -> Explanation:
-    """Explain why there is no layout, of a judge who has been asked whether there is one."""
+def explained(judge: Judge, suspects: Suspects = (), most: int | None = None) -> Explanation:
+    """Explain why there is no layout, of a judge who has been asked whether there is one.
+
+    Parameters
+    ----------
+    most
+        How many conflicts are worked out; by default as many as are told.
+    """
     facade, units = judge.facade, judge.units
-    found, left, verdict = _conflicts(judge, units, suspects)
+    found, left, verdict = _conflicts(judge, units, suspects, MOST_CONFLICTS if most is None else most)
     complete = verdict.root is not None
     sizes = other_sizes(judge, units) if found else []
     ways = [_ways(judge, units, found, one, sizes) if complete else sizes for one in found]
@@ -69,13 +75,13 @@ def explained(judge: Judge, suspects: Suspects = ()) -> Explanation:
 
 
 def _conflicts(
-    judge: Judge, units: list[Unit], suspects: Suspects
+    judge: Judge, units: list[Unit], suspects: Suspects, most: int
 ) -> tuple[list[_Found], list[Unit], Verdict]:
     """Find conflict after conflict, giving up a member of each; return what is left, and whether it holds."""
     found: list[_Found] = []
     left = units
     verdict = judge.ask(left)
-    while verdict.status == "infeasible" and len(found) < MOST_CONFLICTS:
+    while verdict.status == "infeasible" and len(found) < most:
         if found and judge.searched >= MOST_SEARCHES:
             break
         core = minimal_core(judge, _suspected(judge, left, suspects))

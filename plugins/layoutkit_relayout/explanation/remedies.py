@@ -242,7 +242,9 @@ def _resized(judge: Judge, units: Sequence[Unit], axis: int) -> Iterator[Way]:
     def at(value: float) -> tuple[float, float]:
         return (value, judge.size[1]) if axis == 0 else (judge.size[0], value)
 
-    target = next((t for t in targets if t != size and judge.at(at(t)).ask(units).status == "found"), None)
+    least, most = judge.bounds(units, axis)
+    open_ = (target for target in targets if target != size and least <= target <= most)
+    target = next((target for target in open_ if judge.at(at(target)).ask(units).status == "found"), None)
     if target is None:
         return
     unit = Decimal(1).scaleb(Decimal(repr(size)).adjusted() - 2)
@@ -253,8 +255,9 @@ def _resized(judge: Judge, units: Sequence[Unit], axis: int) -> Iterator[Way]:
         return float((start + sign * step) * unit)
 
     last = abs(int((Decimal(repr(target)) / unit).to_integral_value() - start)) + 1
-    step = first(lambda n: judge.at(at(value(n))).ask(units).root is not None, last)
-    new = target if step is None else value(step)
+    refused = first(lambda n: least <= value(n) <= most, last) or 1
+    step = first(lambda n: judge.at(at(value(refused - 1 + n))).ask(units).root is not None, last)
+    new = target if step is None else value(refused - 1 + step)
     found = judge.at(at(new)).ask(units).root
     if found is not None:
         what = ("wide", "high")[axis]

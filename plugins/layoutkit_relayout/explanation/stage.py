@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.diagnostics import Diagnostic
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Facade, Measure
 
@@ -60,7 +59,7 @@ class Explain(Stage):
 def _outcome(judge: Judge, node_limit: int, start: float) -> Outcome:
     from layoutkit_relayout.explanation.best_effort import as_layout
     from layoutkit_relayout.explanation.explaining import explained
-    from layoutkit_relayout.explanation.report import diagnostics, too_small
+    from layoutkit_relayout.explanation.report import diagnostics, too_small, undecided
 
     facade = judge.facade
     verdict = judge.first(node_limit)
@@ -70,17 +69,7 @@ def _outcome(judge: Judge, node_limit: int, start: float) -> Outcome:
     explanation = explained(judge)
     found = diagnostics(explanation, facade)
     if verdict.status == "limit":
-        found = (_undecided(facade, judge.size, verdict.nodes),)
+        found = (undecided(facade, judge.size, verdict.nodes),)
     elif not found:
         found = (too_small(explanation, facade),)
     return Outcome(verdict.status, None, found, time.perf_counter() - start, explanation)
-
-
-def _undecided(facade: Facade, size: tuple[float, float], nodes: int) -> Diagnostic:
-    at = f"{size[0]:g} × {size[1]:g} {facade.units}"
-    return Diagnostic(
-        "LK601",
-        f"no layout was found at {at} within {nodes} words tried, and it is not proved that there is none",
-        hint="raise the node limit, or relax a constraint",
-        topic="search",
-    )

@@ -58,7 +58,7 @@ def units_of(facade: Facade) -> list[Unit]:
     defaults: set[Constraint] = {*default_sizes(facade), *default_words(facade)}
     own, kept, sizes = list[Unit](), list[Unit](), list[Unit]()
     for constraint in effective_constraints(facade):
-        if constraint.soft or _demands_nothing(constraint):
+        if constraint.soft or _demands_nothing(constraint) or _by_mass(constraint, facade):
             continue
         if isinstance(constraint, InputWord):
             kept.append(Unit.of(constraint, by_default=True))
@@ -89,8 +89,14 @@ def _demands_nothing(constraint: Constraint) -> bool:
     return ranged and constraint.min is None and constraint.max is None  # type: ignore[attr-defined]
 
 
+def _by_mass(constraint: Constraint, facade: Facade) -> bool:
+    """Tell whether a constraint keeps the faces of a building, which no one can leave out."""
+    root = facade.root.symbol
+    return facade.building is not None and isinstance(constraint, InputWord) and constraint.path == root
+
+
 def background(facade: Facade) -> tuple[Constraint, ...]:
-    """Return what holds whichever units are left out: least sizes, and leave to differ by place."""
+    """Return what holds whichever units are left out: least sizes, leave to differ, a mass's faces."""
     effective = effective_constraints(facade)
     floors: dict[str, float] = {}
     for constraint in effective:
@@ -104,7 +110,8 @@ def background(facade: Facade) -> tuple[Constraint, ...]:
         replace(size, min=Measure(floors.get(str(size.of), FLOOR), relative=True), max=None) for size in drawn
     )
     varied = (c for c in effective if isinstance(c, Instances))
-    return (*sizes, *(replace(c, min=None, max=None, weight=None) for c in varied))
+    faces = (c for c in effective if _by_mass(c, facade))
+    return (*sizes, *(replace(c, min=None, max=None, weight=None) for c in varied), *faces)
 
 
 def flat(units: Iterable[Unit]) -> tuple[Constraint, ...]:
@@ -119,5 +126,5 @@ def without(units: Sequence[Unit], left_out: Unit) -> list[Unit]:
 
 def free_regions(facade: Facade, units: Iterable[Unit]) -> list[str]:
     """Return the composite regions whose arrangements none of the units decides."""
-    decided = {unit.region for unit in units}
+    decided = {unit.region for unit in units} | ({facade.root.symbol} if facade.building else set())
     return [path for path, region in facade.regions.items() if region.split and path not in decided]

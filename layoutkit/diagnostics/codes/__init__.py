@@ -1,0 +1,42 @@
+"""The registry of diagnostic codes: what each means, how it comes about, and what to do.
+
+One file a group: LK0 files and safety, LK1 structure, LK2 references and constraints, LK3 conversion, LK4
+plugins, LK5 layouts against facades, LK6 search, LK7 usage, LK8 masses and buildings, LK9 our own faults. A
+code keeps its meaning for good; retired ones are not given out again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from layoutkit.diagnostics.codes import (
+    buildings,
+    conversion,
+    files,
+    layouts,
+    ours,
+    plugins,
+    references,
+    search,
+    structure,
+    usage,
+)
+from layoutkit.diagnostics.codes.code import Code
+
+__all__ = ["CODES", "Code"]
+
+_GROUPS = (
+    files,
+    structure,
+    references,
+    conversion,
+    plugins,
+    layouts,
+    search,
+    usage,
+    buildings,
+    ours,
+)
+
+#: Every code, in order.
+CODES: Mapping[str, Code] = {entry.code: entry for group in _GROUPS for entry in group.CODES}

@@ -1,0 +1,67 @@
+"""What many searches have alike is made once: groups of regions, their machines, tables of their words."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+
+from layoutkit.constraints import Constraint
+from layoutkit.constraints.covering import Covering
+from layoutkit.constraints.word_rules import Anything, Automaton, Exactly
+from layoutkit.model import Facade
+from layoutkit.sizing.backends import BACKENDS
+from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.machine import Machine
+from layoutkit_relayout.model import Model
+from layoutkit_relayout.search import Search
+from layoutkit_relayout.table import CompletionTable
+
+#: Tables that are kept: a hundred take some 30 MB.
+_MOST_TABLES = 500
+#: Letters of words that read the same backwards; there are as many pairs of them as that squared.
+_MOST_MIRRORED = 24
+
+
+class Kin:
+    """What the searches of one facade have in common, whichever of its constraints they keep."""
+
+    def __init__(self) -> None:
+        self._groups: dict[Hashable, WordGroup] = {}
+        self._tables: dict[object, CompletionTable] = {}
+        self._machines: dict[object, Machine] = {}
+
+    def search(self, facade: Facade, constraints: Sequence[Constraint], size: tuple[float, float]) -> Search:
+        """Return a search for layouts that keep some constraints."""
+        model = Model(facade, constraints)
+        model.groups = tuple(self._groups.setdefault(_key(group), group) for group in model.groups)
+        model.group_of = {path: group for group in model.groups for path in group.members}
+        search = Search(model, size, BACKENDS)
+        if len(self._tables) > _MOST_TABLES:
+            self._tables.clear()
+        search.candidates.tables, search.candidates.machines = self._tables, self._machines
+        return search
+
+
+def unwieldy(model: Model) -> bool:
+    """Tell whether machines would take minutes to build: words that are mirrored have pairs for letters.
+
+    That happens where regions that may differ from place to place lose the least sizes that keep them few.
+    """
+    return any(any(group.partners.values()) and len(group.letters) > _MOST_MIRRORED for group in model.groups)
+
+
+def _key(group: WordGroup) -> Hashable:
+    """Return what makes up a group."""
+    return (
+        tuple((member, *own.items()) for member, own in group.symbols.items()),
+        tuple(tuple(map(_told, group.rules[member])) for member in group.members),
+        tuple(tuple(tuple(m.items()) for m in group.partners[member]) for member in group.members),
+    )
+
+
+def _told(automaton: Automaton) -> Hashable:
+    """Return what tells an automaton from those that accept something else."""
+    if isinstance(automaton, Exactly):
+        return automaton.word
+    if isinstance(automaton, Covering):
+        return automaton.pieces
+    return "anything" if isinstance(automaton, Anything) else id(automaton)  # the group keeps it
