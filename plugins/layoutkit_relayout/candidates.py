@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import reduce
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -129,7 +130,7 @@ class Candidates:
                 yield given
             return
         seen: set[Word] = set()
-        for fitting in (*self._likely(group, question, lengths), *self._levels(group, question)):
+        for fitting in chain(self._likely(group, question, lengths), self._levels(group, question)):
             if fitting.total <= 0:
                 continue
             for attempt in range(DRAWS):
