@@ -11,6 +11,7 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -133,7 +134,11 @@ class Search:
         self.model, self.size = model.at(size), size
         self.candidates = Candidates(self.model, size)
         self.measures = Measures(self.model, backends)
-        self.foresight = Foresight(self.model, size)
+
+    @cached_property
+    def foresight(self) -> Foresight:
+        """What numbers and sizes alone forbid; most searches never ask."""
+        return Foresight(self.model, self.size)
 
     def variation(self, seed: int, index: int, node_limit: int) -> Found:
         """Find one layout; variation `index` of a seed is the same whichever others are made."""
