@@ -9,7 +9,7 @@ from typing import ClassVar, Protocol
 from layoutkit.model import Facade, Layout, Region
 from layoutkit.sizing.backends import BACKENDS
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Search
+from layoutkit_relayout.search.search import Search
 from layoutkit_relayout.stage import NODE_LIMIT
 
 Size = tuple[float, float]

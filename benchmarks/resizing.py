@@ -21,7 +21,7 @@ from pathlib import Path
 from benchmarks.designs.storeys import storeys
 from layoutkit.model import Facade, Layout, place
 from layoutkit.sizing.threads import single_threaded
-from layoutkit_relayout.resizing import Resizer
+from layoutkit_relayout.sizes.resizing import Resizer
 
 #: Milliseconds that a step should take at most.
 AIM = 5.0

@@ -16,10 +16,10 @@ from layoutkit.constraints.size import axis_of, input_size
 from layoutkit.constraints.word_rules import Counts, Variants, WordRule
 from layoutkit.model import Facade
 from layoutkit.sizing.arrangement import AXIS
-from layoutkit_relayout.extremes import longest, longest_count, shortest, summed
-from layoutkit_relayout.groups import WordGroup, word_groups
-from layoutkit_relayout.machine import Machine
-from layoutkit_relayout.variants import Varied, varied
+from layoutkit_relayout.words.extremes import longest, longest_count, shortest, summed
+from layoutkit_relayout.words.groups import WordGroup, word_groups
+from layoutkit_relayout.words.machine import Machine
+from layoutkit_relayout.words.variants import Varied, varied
 
 Interval = tuple[float, float]
 Floats = NDArray[np.float64]

@@ -13,9 +13,9 @@ from layoutkit.model import Facade, Layout, Measure
 
 if TYPE_CHECKING:
     from layoutkit_relayout.explanation.refusal import Refusal
-    from layoutkit_relayout.sampling import Sampling
-    from layoutkit_relayout.search import Found
-    from layoutkit_relayout.wishes import Granted
+    from layoutkit_relayout.sampling.sampling import Sampling
+    from layoutkit_relayout.search.search import Found
+    from layoutkit_relayout.search.wishes import Granted
 
 #: Words tried for one variation before the search gives up.
 NODE_LIMIT = 2000
@@ -73,7 +73,7 @@ class Relayout(Stage):
             With its constraints; without any, terminals keep to the default sizes and words to the input's.
         """
         from layoutkit.sizing.threads import single_threaded
-        from layoutkit_relayout.machine import TooManyStates
+        from layoutkit_relayout.words.machine import TooManyStates
 
         made = 0
         with single_threaded():
@@ -88,8 +88,8 @@ class Relayout(Stage):
     def _variations(self, facade: Facade, options: RelayoutOptions) -> Iterator[Outcome]:
         from layoutkit.sizing.backends import BACKENDS
         from layoutkit_relayout.explanation.refusal import refusal
-        from layoutkit_relayout.sampling import SAMPLERS
-        from layoutkit_relayout.wishes import granted
+        from layoutkit_relayout.sampling.sampling import SAMPLERS
+        from layoutkit_relayout.search.wishes import granted
 
         start = time.perf_counter()
         size = layout_size(facade, options.width, options.height)
@@ -182,7 +182,7 @@ def too_many(error: Exception) -> Diagnostic:
 
 def _told(found: Found) -> tuple[Diagnostic, ...]:
     """Return what there is to say of an even draw."""
-    from layoutkit_relayout.sampling import Told
+    from layoutkit_relayout.sampling.sampling import Told
 
     if not isinstance(found, Told) or not found.remark:
         return ()

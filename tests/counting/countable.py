@@ -9,7 +9,7 @@ from layoutkit.constraints import Sequence as SequenceConstraint
 from layoutkit.model import Facade, Measure, Region, RegionSet, Word
 from layoutkit.sizing.backends import BACKENDS
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Search
+from layoutkit_relayout.search.search import Search
 
 #: Least and greatest width of each symbol of a floor.
 Widths = Mapping[str, tuple[float, float]]

@@ -168,7 +168,7 @@ def test_weighted_is_the_default(layoutkit: Run, row: Path, tmp_path: Path) -> N
 def test_an_even_draw_that_cannot_be_is_refused(
     layoutkit: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("layoutkit_relayout.sampling.EFFORT", 0.01)
+    monkeypatch.setattr("layoutkit_relayout.sampling.sampling.EFFORT", 0.01)
     run = layoutkit("vary", PALACE, "-n", 1, "--sampling", "uniform", "-o", tmp_path)
     assert run.code == 4
     assert "error LK605 search: no variation was drawn evenly: " in run.err
@@ -178,7 +178,7 @@ def test_an_even_draw_that_cannot_be_is_refused(
 def test_an_even_draw_from_a_bound_says_so(
     layoutkit: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("layoutkit_relayout.sampling.EFFORT", 60)
+    monkeypatch.setattr("layoutkit_relayout.sampling.sampling.EFFORT", 60)
     run = layoutkit("vary", BLOCK, "-n", 3, "--sampling", "uniform", "-o", tmp_path)
     assert run.code == 0, run.err
     assert run.err.count("note LK604 search: arrangements are drawn from those that may exist") == 1

@@ -12,7 +12,7 @@ from layoutkit.sizing.backends import BACKENDS
 from layoutkit.sizing.threads import single_threaded
 from layoutkit_relayout.counting.census import Census, tree
 from layoutkit_relayout.counting.counted import counted
-from layoutkit_relayout.wishes import granted
+from layoutkit_relayout.search.wishes import granted
 
 EFFORT = 20_000
 #: Far more words than any tiny model has.

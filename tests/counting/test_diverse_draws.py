@@ -12,9 +12,9 @@ from layoutkit.documents import read
 from layoutkit.hooks.host import Host
 from layoutkit.model import Facade, Region
 from layoutkit.samples import list_samples
-from layoutkit_relayout.distances import arrangements, distance
-from layoutkit_relayout.sampling import CANDIDATES, Diverse, Sampler
-from layoutkit_relayout.search import Search
+from layoutkit_relayout.sampling.distances import arrangements, distance
+from layoutkit_relayout.sampling.sampling import CANDIDATES, Diverse, Sampler
+from layoutkit_relayout.search.search import Search
 
 ONE_OR_TWO = {"a": (1.0, 1.0), "b": (2.0, 2.0)}
 

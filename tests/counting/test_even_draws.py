@@ -11,8 +11,8 @@ from scipy.stats import chisquare
 
 from layoutkit.constraints import Alignment, Instances
 from layoutkit.model import Facade, Layout, RegionSet
-from layoutkit_relayout import sampling
-from layoutkit_relayout.sampling import Told, Uniform
+from layoutkit_relayout.sampling import sampling
+from layoutkit_relayout.sampling.sampling import Told, Uniform
 
 ONE_OR_TWO = {"a": (1.0, 1.0), "b": (2.0, 2.0)}
 LOOSE = {"a": (1.0, 2.0)}

@@ -16,8 +16,8 @@ from scipy.stats import chisquare
 
 from layoutkit_relayout.counting.effort import Effort, Uncountable
 from layoutkit_relayout.counting.ways import Either, Listed, Perhaps, Together, Ways
-from layoutkit_relayout.distances import distance, edit_distance
-from layoutkit_relayout.sampling import below
+from layoutkit_relayout.sampling.distances import distance, edit_distance
+from layoutkit_relayout.sampling.sampling import below
 
 
 class Some(Listed):

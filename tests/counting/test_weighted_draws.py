@@ -15,8 +15,8 @@ from scipy.stats import chisquare
 from layoutkit.constraints import Symmetry
 from layoutkit.constraints.covering import Covering, Piece
 from layoutkit.model import Facade, Region
-from layoutkit_relayout.outlook import Outlook
-from layoutkit_relayout.search import Search
+from layoutkit_relayout.search.outlook import Outlook
+from layoutkit_relayout.search.search import Search
 
 ONE = {"a": (1.0, 1.0), "b": (1.0, 1.0)}
 

@@ -17,7 +17,7 @@ from layoutkit.sizing.backends import BACKENDS
 from layoutkit.sizing.threads import single_threaded
 from layoutkit_relayout.explanation.explaining import explain
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Search
+from layoutkit_relayout.search.search import Search
 
 #: Combinations of words that brute force takes on, and the least sizes that leave so few.
 MOST, COARSE = 200, 0.6

@@ -12,12 +12,12 @@ from layoutkit.constraints import BUILT_IN, Frequency, Size
 from layoutkit.documents import read
 from layoutkit.model import Facade, Layout, Measure, RegionSet
 from layoutkit.model.conflict import Remedy
-from layoutkit_relayout import machine
 from layoutkit_relayout.explanation import explaining
 from layoutkit_relayout.explanation.explaining import explain
 from layoutkit_relayout.explanation.judge import Judge
 from layoutkit_relayout.explanation.report import diagnostics
 from layoutkit_relayout.explanation.stage import Explain, ExplainOptions
+from layoutkit_relayout.words import machine
 
 KINDS = {kind.kind: kind for kind in BUILT_IN}
 

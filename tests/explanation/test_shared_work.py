@@ -18,7 +18,7 @@ from layoutkit_relayout.explanation.kin import Kin
 from layoutkit_relayout.explanation.sight import refuted
 from layoutkit_relayout.explanation.units import flat
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Search
+from layoutkit_relayout.search.search import Search
 
 #: Tiny models, and sets of the constraints of each.
 MODELS, SETS = 24, 6

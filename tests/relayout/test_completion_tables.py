@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from test_machines import COVERINGS, same
 
 from layoutkit.constraints.covering import Covering
-from layoutkit_relayout.machine import Counting, Machine, build
-from layoutkit_relayout.table import COARSE, Completions, CompletionTable, Letters
+from layoutkit_relayout.words.machine import Counting, Machine, build
+from layoutkit_relayout.words.table import COARSE, Completions, CompletionTable, Letters
 
 #: Any word over two or three letters.
 ANY_WORD = Counting(dict.fromkeys("abc", (0.0, 0.0)), 0.0, 1.0)

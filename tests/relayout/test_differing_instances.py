@@ -9,7 +9,7 @@ from layoutkit.constraints.pattern import Pattern
 from layoutkit.model import Extent, Facade, Layout, Measure, Region, RegionSet
 from layoutkit.sizing.backends import BACKENDS
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Found, Search
+from layoutkit_relayout.search.search import Found, Search
 
 SIZE = (6.0, 3.0)
 

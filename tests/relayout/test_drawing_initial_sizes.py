@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from layoutkit.sizing.rules import Target
-from layoutkit_relayout.draws import Distributions
+from layoutkit_relayout.sizes.draws import Distributions
 
 SIZES = st.floats(0.1, 100.0)
 

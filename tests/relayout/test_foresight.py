@@ -20,9 +20,9 @@ from layoutkit.sizing.backends import BACKENDS
 from layoutkit.sizing.threads import single_threaded
 from layoutkit_relayout.bounding.flows import flow_of, tallies
 from layoutkit_relayout.bounding.program import Program
-from layoutkit_relayout.machine import build
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Found, Search
+from layoutkit_relayout.search.search import Found, Search
+from layoutkit_relayout.words.machine import build
 
 SIZES = st.tuples(st.integers(3, 8), st.integers(3, 8), st.integers(3, 8))
 WHOLE = st.integers(-4, 4).map(float)

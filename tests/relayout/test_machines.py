@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from layoutkit.constraints.covering import Covering, Piece
 from layoutkit.constraints.word_rules import Automaton, Exactly
-from layoutkit_relayout.extremes import longest, shortest
-from layoutkit_relayout.machine import Counting, Machine, TooManyStates, build, chain, trim
+from layoutkit_relayout.words.extremes import longest, shortest
+from layoutkit_relayout.words.machine import Counting, Machine, TooManyStates, build, chain, trim
 
 LETTERS = "ab", "abc"
 PIECES = st.builds(

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from layoutkit.constraints.covering import Covering, Piece
-from layoutkit_relayout.machine import Machine, build
-from layoutkit_relayout.mirrored import mirrored
+from layoutkit_relayout.words.machine import Machine, build
+from layoutkit_relayout.words.mirrored import mirrored
 
 LETTERS = "abc"
 PIECES = st.lists(

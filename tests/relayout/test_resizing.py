@@ -11,7 +11,7 @@ from layoutkit.documents import read
 from layoutkit.model import Facade, Layout, Region, place
 from layoutkit.samples import sample_path
 from layoutkit.sizing.solve import Conflict
-from layoutkit_relayout.resizing import Resizer
+from layoutkit_relayout.sizes.resizing import Resizer
 from layoutkit_relayout.stage import Relayout, RelayoutOptions
 
 

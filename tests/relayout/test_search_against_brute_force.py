@@ -15,7 +15,7 @@ from layoutkit.constraints import BUILT_IN, Constraint
 from layoutkit.model import Extent, Layout, Measure, Region, RegionSet, Word
 from layoutkit.sizing.backends import BACKENDS
 from layoutkit.sizing.threads import single_threaded
-from layoutkit_relayout.wishes import granted
+from layoutkit_relayout.search.wishes import granted
 
 #: Far more words than any tiny model has.
 PLENTY = 100_000

@@ -17,7 +17,7 @@ from layoutkit.model import Facade, Layout, Region, RegionSet, Word, place
 from layoutkit.sizing.backends import BACKENDS
 from layoutkit.sizing.threads import single_threaded
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Found, Search
+from layoutkit_relayout.search.search import Found, Search
 
 pytest.importorskip("ortools", reason="the constraint solver is a tool of tests and benchmarks only")
 

@@ -21,10 +21,10 @@ from layoutkit.documents import layout_bytes, read
 from layoutkit.hooks.specs import Outcome
 from layoutkit.model import Facade, Layout, Measure, Region, RegionSet, place
 from layoutkit.samples import sample_path
-from layoutkit_relayout import groups
 from layoutkit_relayout.inference.stage import Infer, InferOptions
-from layoutkit_relayout.machine import build
 from layoutkit_relayout.stage import Relayout, RelayoutOptions
+from layoutkit_relayout.words import groups
+from layoutkit_relayout.words.machine import build
 
 KINDS = {kind.kind: kind for kind in BUILT_IN}
 SHARES = st.sampled_from([0.6, 0.8, 1.0, 1.2, 1.7])

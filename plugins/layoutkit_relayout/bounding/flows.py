@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from layoutkit_relayout.bounding.program import Floats
-from layoutkit_relayout.machine import Ints, Machine
+from layoutkit_relayout.words.machine import Ints, Machine
 
 
 @dataclass(frozen=True)

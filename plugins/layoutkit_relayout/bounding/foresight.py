@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from layoutkit_relayout.bounding.proving import proved
 from layoutkit_relayout.bounding.relaxed import Number, TooLarge
 from layoutkit_relayout.bounding.vocabulary import Vocabulary
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.words.groups import WordGroup
 
 #: Of models with more symbols than this, nothing is proved here: above all of those with many instances.
 _MOST_LETTERS = 150

@@ -14,7 +14,7 @@ from layoutkit_relayout.bounding.program import Floats
 from layoutkit_relayout.bounding.relaxed import Ends, Making, Number, Refuted, Relaxed
 from layoutkit_relayout.bounding.ties import tie
 from layoutkit_relayout.bounding.vocabulary import Vocabulary
-from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.words.groups import WordGroup
 
 #: A value this near to a whole number is one.
 _WHOLE = 1e-6

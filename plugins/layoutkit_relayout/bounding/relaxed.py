@@ -19,10 +19,10 @@ from layoutkit.constraints.word_rules import Bound, Counts
 from layoutkit_relayout.bounding.flows import Flow, cycles
 from layoutkit_relayout.bounding.program import Program, Terms
 from layoutkit_relayout.bounding.vocabulary import SLACK, Vocabulary
-from layoutkit_relayout.extremes import longest_count
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.machine import Ints, Machine
 from layoutkit_relayout.model import Interval, meet
+from layoutkit_relayout.words.extremes import longest_count
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.machine import Ints, Machine
 
 #: Which number: how often a letter, or a run of letters, occurs in the word of a group; or how often a way of
 #: a flow is taken.

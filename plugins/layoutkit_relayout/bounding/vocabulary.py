@@ -10,9 +10,9 @@ import numpy as np
 from layoutkit.constraints import SameSize
 from layoutkit.model import Extent
 from layoutkit_relayout.bounding.flows import Flow, flow_of, tallies
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.machine import Ints, Machine
 from layoutkit_relayout.model import Interval, Model
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.machine import Ints, Machine
 
 #: Sizes may miss their ends by this share of the facade's.
 SLACK = 1e-8

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from layoutkit_relayout.choir.company import Company
 from layoutkit_relayout.choir.scores import Pair, Score
 from layoutkit_relayout.choir.voices import NEAR, PRECISION, Part, Voice, Walk, Word, part, walked
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.kept import Kept
 from layoutkit_relayout.model import Floats, Model
+from layoutkit_relayout.words.groups import WordGroup
 
 #: How far the length at the input's sizes may be from the one asked for, and how far it typically is.
 _REACH, _TYPICAL = 0.35, 0.05

@@ -11,8 +11,8 @@ from itertools import takewhile
 from layoutkit.constraints import Alignment
 from layoutkit.constraints.alignment import LINES
 from layoutkit_relayout.choir.voices import NEAR
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.words.groups import WordGroup
 
 
 @dataclass(frozen=True, slots=True)

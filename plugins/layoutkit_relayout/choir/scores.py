@@ -9,7 +9,7 @@ from itertools import combinations, pairwise
 
 from layoutkit_relayout.choir.company import Company
 from layoutkit_relayout.choir.voices import NEAR, Part, Word
-from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.words.groups import WordGroup
 
 #: Where a voice is: the state of its machine, how far it has come (in units), and its last letter; -1 where
 #: nothing that is still to come can overlap it.

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.machine import Machine, chain
 from layoutkit_relayout.model import Floats
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.machine import Machine, chain
 
 Word = tuple[str, ...]
 #: A state of a voice's machine, and how far it has come, in units.

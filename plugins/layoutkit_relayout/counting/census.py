@@ -13,7 +13,6 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from layoutkit_relayout.agreement import agreed
 from layoutkit_relayout.counting.combining import Combining
 from layoutkit_relayout.counting.effort import Effort, Uncountable
 from layoutkit_relayout.counting.frames import Frames
@@ -24,11 +23,12 @@ from layoutkit_relayout.counting.systems import Systems
 from layoutkit_relayout.counting.tables import Open, Tables
 from layoutkit_relayout.counting.ties import above
 from layoutkit_relayout.counting.ways import Choice, Either, Listed, Perhaps, Together, Ways
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.outlook import Outlook, Words
-from layoutkit_relayout.search import Search
-from layoutkit_relayout.variants import MARK, VariedFacade
+from layoutkit_relayout.search.outlook import Outlook, Words
+from layoutkit_relayout.search.search import Search
+from layoutkit_relayout.words.agreement import agreed
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.variants import MARK, VariedFacade
 
 #: For each group, which of the letters that matter to others occur, as bits; None where it is not reached.
 Letters = Mapping[WordGroup, int | None]

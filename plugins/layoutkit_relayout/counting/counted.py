@@ -5,7 +5,7 @@ from __future__ import annotations
 from layoutkit.model import Count
 from layoutkit_relayout.counting.census import Census, tree
 from layoutkit_relayout.counting.effort import Uncountable
-from layoutkit_relayout.search import Search, Undecided
+from layoutkit_relayout.search.search import Search, Undecided
 
 #: What a word costs that is tried where arrangements are made one by one, for each region of the facade.
 _WORD = 2.0

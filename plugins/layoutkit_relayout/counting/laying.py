@@ -21,11 +21,11 @@ from layoutkit_relayout.counting.systems import Link, System, Systems
 from layoutkit_relayout.counting.tables import Open, Word
 from layoutkit_relayout.counting.ties import Frame, Tie
 from layoutkit_relayout.counting.ways import Choice, Either, Listed, Perhaps, Together, Ways
-from layoutkit_relayout.draws import Distributions
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.measures import Measures
 from layoutkit_relayout.model import Interval
-from layoutkit_relayout.prepared import size_rules
+from layoutkit_relayout.sizes.draws import Distributions
+from layoutkit_relayout.sizes.measures import Measures
+from layoutkit_relayout.sizes.prepared import size_rules
+from layoutkit_relayout.words.groups import WordGroup
 
 #: QPs that an axis may cost.
 PROBLEMS = 400

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from layoutkit_relayout.counting.ties import Frame, Tie, above, ties_of
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.words.groups import WordGroup
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from layoutkit_relayout.counting.effort import Uncountable
 from layoutkit_relayout.counting.ways import Choice, Ways
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.machine import Machine
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.machine import Machine
 
 #: More combinations of states and sums than this are not told apart.
 MOST_PLACES = 200_000

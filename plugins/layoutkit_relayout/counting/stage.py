@@ -52,9 +52,9 @@ class CountArrangements(Stage):
 def _outcome(facade: Facade, options: CountOptions) -> Outcome:
     from layoutkit.sizing.backends import BACKENDS
     from layoutkit_relayout.counting.counted import counted
-    from layoutkit_relayout.machine import TooManyStates
+    from layoutkit_relayout.search.wishes import granted
     from layoutkit_relayout.stage import layout_size, left_out, too_many
-    from layoutkit_relayout.wishes import granted
+    from layoutkit_relayout.words.machine import TooManyStates
 
     start = time.perf_counter()
     size = layout_size(facade, options.width, options.height)

@@ -12,9 +12,9 @@ from layoutkit_relayout.counting.effort import Effort
 from layoutkit_relayout.counting.parts import Part, fixed_frames
 from layoutkit_relayout.counting.profiles import Profile, Profiles, Sums, Weights, Words
 from layoutkit_relayout.counting.ways import Either, Ways
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.machine import Machine
 from layoutkit_relayout.model import Interval, Model
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.machine import Machine
 
 #: What it costs to go through a place of a table.
 _PLACE = 0.05

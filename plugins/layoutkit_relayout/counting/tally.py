@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from layoutkit.constraints.word_rules import Counts
 from layoutkit_relayout.counting.frames import Frames
 from layoutkit_relayout.counting.programs import Sum
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.words.groups import WordGroup
 
 #: For each group, how often each letter occurs in its word; free letters need not be told.
 Times = Mapping[WordGroup, Mapping[str, int]]

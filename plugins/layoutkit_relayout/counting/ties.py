@@ -21,9 +21,9 @@ from layoutkit.constraints.instances import Instances
 from layoutkit.constraints.lock import Lock
 from layoutkit.constraints.word_rules import Counts
 from layoutkit.model import Extent, Word
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.variants import MARK
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.variants import MARK
 
 #: A region's symbol path and an axis: its size along that axis.
 Frame = tuple[str, int]

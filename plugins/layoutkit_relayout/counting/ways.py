@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from itertools import accumulate
 from math import prod
 
-from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.words.groups import WordGroup
 
 Word = tuple[str, ...]
 Choice = Mapping[WordGroup, Word]

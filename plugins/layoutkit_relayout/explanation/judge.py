@@ -24,8 +24,8 @@ from layoutkit.model import Facade, Layout, Region
 from layoutkit_relayout.explanation.kin import Kin, unwieldy
 from layoutkit_relayout.explanation.sight import refuted
 from layoutkit_relayout.explanation.units import Unit, background, flat, free_regions, units_of
-from layoutkit_relayout.machine import TooManyStates
-from layoutkit_relayout.search import ROUNDS, Search
+from layoutkit_relayout.search.search import ROUNDS, Search
+from layoutkit_relayout.words.machine import TooManyStates
 
 Status = Literal["found", "infeasible", "limit"]
 Size = tuple[float, float]

@@ -9,11 +9,11 @@ from layoutkit.constraints.covering import Covering
 from layoutkit.constraints.word_rules import Anything, Automaton, Exactly
 from layoutkit.model import Facade
 from layoutkit.sizing.backends import BACKENDS
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.machine import Machine
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Search
-from layoutkit_relayout.table import CompletionTable
+from layoutkit_relayout.search.search import Search
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.machine import Machine
+from layoutkit_relayout.words.table import CompletionTable
 
 #: Tables that are kept: a hundred take some 30 MB.
 _MOST_TABLES = 500

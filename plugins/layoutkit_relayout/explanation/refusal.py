@@ -10,7 +10,7 @@ from layoutkit.model.conflict import Conflict, Explanation
 from layoutkit_relayout.explanation.explaining import explained
 from layoutkit_relayout.explanation.judge import Judge, Size, Verdict
 from layoutkit_relayout.explanation.report import diagnostics, too_small, undecided
-from layoutkit_relayout.search import Found
+from layoutkit_relayout.search.search import Found
 
 #: Of more members than these, most have nothing to do with it where it is not proved that they have.
 _READABLE = 12

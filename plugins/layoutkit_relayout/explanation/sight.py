@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from layoutkit_relayout.outlook import Outlook
-from layoutkit_relayout.search import Search
+from layoutkit_relayout.search.outlook import Outlook
+from layoutkit_relayout.search.search import Search
 
 
 def refuted(search: Search) -> bool:

@@ -13,11 +13,11 @@ from layoutkit.sizing.arrangement import Arrangement, value
 from layoutkit.sizing.layouts import region_tree
 from layoutkit.sizing.qp import Backend, Floats
 from layoutkit.sizing.solve import Budget, Conflict, Drawn, size_axis
-from layoutkit_relayout.differing import Apart, told_apart
 from layoutkit_relayout.kept import Kept
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.prepared import Prepared
-from layoutkit_relayout.variants import VariedFacade, enough, unnamed
+from layoutkit_relayout.sizes.differing import Apart, told_apart
+from layoutkit_relayout.sizes.prepared import Prepared
+from layoutkit_relayout.words.variants import VariedFacade, enough, unnamed
 
 Words = Mapping[str, tuple[str, ...]]
 

@@ -12,13 +12,13 @@ from typing import NamedTuple
 import numpy as np
 
 from layoutkit.constraints.word_rules import Automaton
-from layoutkit_relayout.agreement import agreed
 from layoutkit_relayout.choir import Choir, Voice, fixed
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.kept import Kept
-from layoutkit_relayout.machine import Counting, Machine, TooManyStates, Walk, build, spelling
 from layoutkit_relayout.model import Interval, Model, meet
-from layoutkit_relayout.table import Completions, CompletionTable, Letters
+from layoutkit_relayout.words.agreement import agreed
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.machine import Counting, Machine, TooManyStates, Walk, build, spelling
+from layoutkit_relayout.words.table import Completions, CompletionTable, Letters
 
 Word = tuple[str, ...]
 

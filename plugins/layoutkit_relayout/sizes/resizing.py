@@ -10,8 +10,8 @@ from layoutkit.model import Facade, Layout, Region
 from layoutkit.sizing.backends import BACKENDS
 from layoutkit.sizing.qp import Backend
 from layoutkit.sizing.solve import Conflict
-from layoutkit_relayout.measures import Measures
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.sizes.measures import Measures
 
 #: QPs that each axis of a step may cost.
 PROBLEMS = 60

@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property, lru_cache, reduce
 
 from layoutkit.constraints.word_rules import Counts
-from layoutkit_relayout.agreement import agreed, agreed_letters
-from layoutkit_relayout.candidates import Count, Question, Word
-from layoutkit_relayout.groups import WordGroup
 from layoutkit_relayout.model import ANY, Interval, Model, meet
+from layoutkit_relayout.search.candidates import Count, Question, Word
+from layoutkit_relayout.words.agreement import agreed, agreed_letters
+from layoutkit_relayout.words.groups import WordGroup
 
 Words = Mapping[str, Word]
 Sizes = tuple[Interval, Interval]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layoutkit.constraints.word_rules import Automaton, State, Weighing
-from layoutkit_relayout.machine import Machine
+from layoutkit_relayout.words.machine import Machine
 
 Floats = NDArray[np.float64]
 #: An automaton that weighs, with the symbol by which it knows each letter.

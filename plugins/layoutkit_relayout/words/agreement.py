@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from layoutkit_relayout.groups import WordGroup
+from layoutkit_relayout.words.groups import WordGroup
 
 #: For each region that agrees, by path, the name of every symbol: the same for all its instances.
 Names = Mapping[str, Mapping[str, str]]

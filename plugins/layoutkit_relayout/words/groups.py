@@ -9,9 +9,9 @@ from functools import cached_property
 
 from layoutkit.constraints.word_rules import Admits, Agree, Anything, Automaton, Exactly, Mirrored, WordRule
 from layoutkit.model import Facade
-from layoutkit_relayout.machine import Machine, build, chain
-from layoutkit_relayout.mirrored import mirrored
-from layoutkit_relayout.preferences import Floats, preferences
+from layoutkit_relayout.words.machine import Machine, build, chain
+from layoutkit_relayout.words.mirrored import mirrored
+from layoutkit_relayout.words.preferences import Floats, preferences
 
 
 @dataclass(frozen=True, eq=False)

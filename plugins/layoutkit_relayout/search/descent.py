@@ -1,39 +1,38 @@
-"""The search: words first, group by group, then both axes sized at once; back where that fails.
+"""One walk through the choices of words, depth first; back where they cannot be sized.
 
-It goes depth first, and jumps back over the choices that a failure has nothing to do with (conflict-directed
-backjumping: Prosser 1993, doi 10.1111/j.1467-8640.1993.tb00310.x). Combinations of words whose sizing was
-refuted are remembered, and not tried again.
+It jumps back over the choices that a failure has nothing to do with (conflict-directed backjumping: Prosser
+1993, doi 10.1111/j.1467-8640.1993.tb00310.x). Combinations of words whose sizing was refuted are remembered,
+and not tried again.
 """
 
 from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from layoutkit.model import Region
-from layoutkit.sizing.qp import Backend
 from layoutkit.sizing.solve import Conflict
-from layoutkit_relayout.bounding.foresight import Foresight
-from layoutkit_relayout.candidates import Candidates, Question, Word
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.measures import Measured, Measures
-from layoutkit_relayout.model import Model
-from layoutkit_relayout.outlook import Outlook, upwards
+from layoutkit_relayout.search.candidates import Question, Word
+from layoutkit_relayout.search.outlook import Outlook, upwards
+from layoutkit_relayout.sizes.measures import Measured
+from layoutkit_relayout.words.groups import WordGroup
 
-#: Successive multiples of it spread evenly over 0 to 1, whatever their number.
-_GOLDEN = 0.6180339887498949
+if TYPE_CHECKING:
+    from layoutkit_relayout.search.search import Search
 
 Words = Mapping[str, Word]
 #: Likely width and height of regions that have no word yet, by path.
 Preview = Mapping[str, tuple[float, float]]
 #: Numbers of the choices that a failure has to do with.
 Blame = frozenset[int]
+
+
+#: QPs that a look ahead may cost.
+_AHEAD = 20
 
 
 class Patience(NamedTuple):
@@ -54,29 +53,8 @@ class Patience(NamedTuple):
     programs: int
 
 
-#: Few at first, all words at last.
-ROUNDS = (Patience(5, 12, 0), Patience(40, 60, 6), Patience(math.inf, 400, 6))
 #: All at once.
-_EVERYTHING = Patience(math.inf, 400, 0)
-#: QPs that a look ahead may cost.
-_AHEAD = 20
-#: Linear programs for a proof by numbers and sizes alone, once words have been tried in vain.
-_PROGRAMS = 200
-
-
-@dataclass(frozen=True)
-class Found:
-    """What a search ends with: the regions, or why there are none.
-
-    Attributes
-    ----------
-    nodes
-        How many words were tried.
-    """
-
-    status: Literal["found", "infeasible", "limit"]
-    root: Region | None
-    nodes: int
+EVERYTHING = Patience(math.inf, 400, 0)
 
 
 @dataclass
@@ -84,7 +62,7 @@ class Progress:
     """How far a search has come: its budget, and what it did not look into."""
 
     nodes: int
-    patience: Patience = _EVERYTHING
+    patience: Patience = EVERYTHING
     used: int = 0
     cut_short: bool = False
     undecided: bool = False
@@ -98,7 +76,7 @@ class Candidate(NamedTuple):
 
 
 @dataclass
-class _Level:
+class Level:
     """A group whose word is being chosen."""
 
     group: WordGroup
@@ -113,100 +91,7 @@ class _Level:
     cut_short: bool = False
 
 
-class Search:
-    """Finds layouts of one facade at one size; its tables serve every variation.
-
-    Parameters
-    ----------
-    size
-        Width and height, in document units.
-
-    Attributes
-    ----------
-    programs
-        Linear programs that a proof by numbers and sizes alone may take; 0: none is solved, for such proofs
-        or to look ahead.
-    """
-
-    programs = _PROGRAMS
-
-    def __init__(self, model: Model, size: tuple[float, float], backends: Sequence[Backend]) -> None:
-        self.model, self.size = model.at(size), size
-        self.candidates = Candidates(self.model, size)
-        self.measures = Measures(self.model, backends)
-
-    @cached_property
-    def foresight(self) -> Foresight:
-        """What numbers and sizes alone forbid; most searches never ask."""
-        return Foresight(self.model, self.size)
-
-    def variation(self, seed: int, index: int, node_limit: int) -> Found:
-        """Find one layout; variation `index` of a seed is the same whichever others are made."""
-        offsets = np.random.default_rng(np.random.SeedSequence(seed))
-        shares = {group: float((offsets.random() + index * _GOLDEN) % 1.0) for group in self.model.groups}
-        progress = Progress(node_limit)
-        for patience in ROUNDS:
-            progress.patience, progress.cut_short, progress.undecided = patience, False, False
-            descent = _Descent(self, progress, shares, _generator(seed, index, 0))
-            for words in descent.complete():
-                sizes = _generator(seed, index, 1)
-                measured = self.measures.whole(words, self.size, sizes, patience.problems)
-                if measured.root is not None:
-                    return Found("found", measured.root, progress.used)
-                progress.undecided |= measured.conflict is None
-                descent.fail(measured)
-            if not (progress.cut_short or progress.undecided or progress.used >= progress.nodes):
-                break
-            if self._refuted(node_limit):
-                return Found("infeasible", None, progress.used)
-            if progress.used >= progress.nodes:
-                break
-        proved = not (progress.undecided or progress.used >= progress.nodes)
-        proved &= self.candidates.exact and self.model.exact
-        return Found("infeasible" if proved else "limit", None, progress.used)
-
-    def _refuted(self, node_limit: int) -> bool:
-        """Tell whether numbers and sizes alone prove that there is no layout."""
-        return self.model.exact and self.foresight.refutes({}, min(node_limit, self.programs))
-
-    def arrangements(self, node_limit: int) -> Iterator[Words]:
-        """Yield the words of every layout that exists, by symbol path, each assignment once.
-
-        Raises
-        ------
-        Undecided
-            If the budget does not suffice to tell.
-        """
-        progress = Progress(node_limit)
-        generator = np.random.default_rng(0)
-        descent = _Descent(self, progress, {}, generator)
-        for words in descent.complete():
-            measured = self.measures.whole(words, self.size, generator, progress.patience.problems)
-            if measured.root is not None:
-                yield words
-            elif measured.conflict is None:
-                raise Undecided(
-                    f"sizing one arrangement takes more than {progress.patience.problems} programs"
-                )
-            else:
-                descent.fail(measured)
-        if progress.used >= progress.nodes:
-            raise Undecided(f"there are more than {node_limit} words to try")
-
-
-class Undecided(Exception):  # noqa: N818 - names the fact
-    """A budget ended what was to be told for certain."""
-
-
-def _generator(seed: int, index: int, purpose: int) -> np.random.Generator:
-    """Return the source of a variation's random choices: of words (0), or of sizes (1).
-
-    Sizes have one of their own, so that they do not hang on how many words failed before.
-    """
-    return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(index, purpose)))
-
-
-class _Descent:
+class Descent:
     """One walk through the choices of words."""
 
     def __init__(
@@ -218,7 +103,7 @@ class _Descent:
     ) -> None:
         self.search, self.model = search, search.model
         self.progress, self.shares, self.generator = progress, shares, generator
-        self.levels: list[_Level] = []
+        self.levels: list[Level] = []
         self._refuted: defaultdict[tuple[WordGroup, Word], list[frozenset[tuple[WordGroup, Word]]]]
         self._refuted = defaultdict(list)
         self._failure: Blame | None = None
@@ -273,7 +158,7 @@ class _Descent:
                 return frozenset(range(self._dead_since(group)))
             preview = self._preview(group, question)
             candidates = self._candidates(group, question, preview)
-            self.levels.append(_Level(group, question, self._outlook, candidates, preview))
+            self.levels.append(Level(group, question, self._outlook, candidates, preview))
             following = self._advance()
             if following is None:
                 return self._exhausted()
@@ -435,7 +320,7 @@ class _Descent:
                     return number
         return len(self.levels)
 
-    def _asked_since(self, level: _Level) -> int:
+    def _asked_since(self, level: Level) -> int:
         """Return after how many choices the question of a level was what it is now."""
         for number, outlook in enumerate(earlier.outlook for earlier in self.levels):
             if (

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Literal, Protocol
 
 import numpy as np
 
-from layoutkit_relayout.distances import Arrangements, arrangements, distance
-from layoutkit_relayout.search import Found, Search, Words
+from layoutkit_relayout.sampling.distances import Arrangements, arrangements, distance
+from layoutkit_relayout.search.descent import Words
+from layoutkit_relayout.search.search import Found, Search
 
 if TYPE_CHECKING:
     from layoutkit_relayout.counting.census import Census

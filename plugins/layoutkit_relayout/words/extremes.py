@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from layoutkit_relayout.groups import WordGroup
-from layoutkit_relayout.machine import Machine
+from layoutkit_relayout.words.groups import WordGroup
+from layoutkit_relayout.words.machine import Machine
 
 
 def summed(machine: Machine, group: WordGroup, values: Sequence[float]) -> list[float]:

@@ -10,9 +10,9 @@ import numpy as np
 from layoutkit.sizing.arrangement import Arrangement
 from layoutkit.sizing.rules import Range, SizeRule
 from layoutkit.sizing.solve import Axis
-from layoutkit_relayout.differing import Twins, twins
-from layoutkit_relayout.draws import Distributions
 from layoutkit_relayout.model import Floats, Model
+from layoutkit_relayout.sizes.differing import Twins, twins
+from layoutkit_relayout.sizes.draws import Distributions
 
 
 class Prepared:

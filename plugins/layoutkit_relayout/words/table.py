@@ -19,7 +19,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from layoutkit_relayout.machine import Machine
+from layoutkit_relayout.words.machine import Machine
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

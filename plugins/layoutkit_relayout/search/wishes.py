@@ -10,7 +10,7 @@ from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.model import Facade
 from layoutkit.sizing.qp import Backend
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.search import Search
+from layoutkit_relayout.search.search import Search
 
 
 @dataclass(frozen=True, eq=False)

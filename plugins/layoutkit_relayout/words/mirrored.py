@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from layoutkit_relayout.machine import MOST_STATES, Machine, TooManyStates, trim
+from layoutkit_relayout.words.machine import MOST_STATES, Machine, TooManyStates, trim
 
 _State = tuple[int, frozenset[int]]
 #: What stands between two letters in the name of a pair.

@@ -1,0 +1,1 @@
+"""The search: what is still open, which words to try, and how to go back where they fail."""
