@@ -18,6 +18,7 @@ from layoutkit.cli.render import photo_of
 from layoutkit.cli.results import FACADE_FILE, ResultFolder
 from layoutkit.cli.session import Session
 from layoutkit.cli.vary import AS_IS, Size, building, constrained, refuse_own_input
+from layoutkit.diagnostics import Diagnostic, Faulty, Place
 from layoutkit.model import Facade, Layout, Picture
 
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ Examples:
 """
 
 #: Files in the folder of results, beside the copy of the facade.
+#: What is surely meant as a picture, and not as a folder.
+_OTHER_PICTURES = frozenset((".svg", ".jpg", ".jpeg", ".gif", ".pdf", ".glb"))
 LAYOUT_FILE, PICTURE_FILE, DATA_FILE = "layout.xml", "layout.png", "explanation.json"
 
 #: The longer side of a picture, in pixels, at least.
@@ -82,6 +85,8 @@ def explain(
     Exit code 0: there is a layout. 3: there is none. 4: that could not be told within the limit.
     """
     session = Session.of(context)
+    if output is not None and output.suffix.lower() in _OTHER_PICTURES:
+        raise Faulty([_only_png(output)])
     if output is not None and not _is_picture(output):
         refuse_own_input(facade_file, output)
     facade, source = constrained(session, facade_file, "explain")
@@ -160,6 +165,16 @@ class _Answer:
 def _outcome(session: Session, facade: Facade, asked: dict[str, Any]) -> Outcome:
     stage = session.host.stages.find("explain")
     return next(iter(stage.run(facade, options_of(stage.options, **asked))))
+
+
+def _only_png(output: Path) -> Diagnostic:
+    return Diagnostic(
+        "LK703",
+        f"an explanation is not drawn as {output.suffix!r}",
+        Place(str(output)),
+        "end the file's name in .png, or name a folder",
+        topic="usage",
+    )
 
 
 def _is_picture(output: Path) -> bool:

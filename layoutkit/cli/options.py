@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated
 
@@ -13,3 +14,10 @@ DocumentFile = Annotated[Path, typer.Argument(metavar="DOC", help="A facade or l
 FacadeOutput = Annotated[
     Path, typer.Option("-o", "--output", metavar="OUT.xml", help="The facade document to write.")
 ]
+
+
+def finite(value: float) -> float:
+    """Return a number, unless it is none: ranges let NaN through."""
+    if not math.isfinite(value):
+        raise typer.BadParameter(f"{value} is no number")
+    return value

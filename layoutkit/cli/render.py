@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from layoutkit.cli import console
-from layoutkit.cli.options import DocumentFile
+from layoutkit.cli.options import DocumentFile, finite
 from layoutkit.cli.session import Session
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
 from layoutkit.model import Facade, Layout
@@ -35,7 +35,10 @@ def render(
         Path, typer.Option("-o", "--output", metavar="OUT", help="The file to write: .png, .svg or .glb.")
     ],
     scale: Annotated[
-        float, typer.Option(min=0.01, max=100, help="Size of a PNG, as a multiple of the photo's own.")
+        float,
+        typer.Option(
+            min=0.01, max=100, callback=finite, help="Size of a PNG, as a multiple of the photo's own."
+        ),
     ] = 1.0,
 ) -> int:
     """Draw a facade or layout.

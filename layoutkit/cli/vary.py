@@ -13,7 +13,7 @@ import typer
 from layoutkit.cli import console
 from layoutkit.cli.exits import Exit, exit_of
 from layoutkit.cli.infer import Freedom, inferred, options_of
-from layoutkit.cli.options import FacadeFile, Json
+from layoutkit.cli.options import FacadeFile, Json, finite
 from layoutkit.cli.render import photo_of
 from layoutkit.cli.results import FACADE_FILE, ResultFolder, Variation
 from layoutkit.cli.session import Session
@@ -54,7 +54,9 @@ def _size(text: str | Measure) -> Measure:
     except ValueError:
         measure = Measure(0.0)
     if measure.value <= 0:
-        raise typer.BadParameter(f"{text} is no size above 0 (such as 24) and no percentage (such as 120%)")
+        raise typer.BadParameter(
+            f"{text or 'nothing'} is no size above 0 (such as 24) and no percentage (such as 120%)"
+        )
     return measure
 
 
@@ -101,7 +103,10 @@ def vary(
         typer.Option(min=1, show_default=False, help="Words tried for one variation before giving up."),
     ] = None,
     scale: Annotated[
-        float, typer.Option(min=0.01, max=100, help="Size of the pictures, as a multiple of the photo's own.")
+        float,
+        typer.Option(
+            min=0.01, max=100, callback=finite, help="Size of the pictures, as a multiple of the photo's own."
+        ),
     ] = 1.0,
     as_json: Json = False,
 ) -> int:

@@ -143,9 +143,8 @@ class Size(Constraint):
                 size = (placed.box.width, placed.box.height)[axis]
                 amount = max(least - size, size - most)
                 if amount > view.tolerance:
-                    yield Violation(
-                        self, placed.path, f"is {size:g}, not between {least:g} and {most:g}", amount
-                    )
+                    allowed = f"between {least:g} and {most:g}" if most < math.inf else f"at least {least:g}"
+                    yield Violation(self, placed.path, f"is {size:g}, not {allowed}", amount)
 
 
 def axis_of(facade: Facade, path: str) -> int:

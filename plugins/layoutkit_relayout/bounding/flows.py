@@ -127,7 +127,9 @@ def tallies(
     for number, name in enumerate(names):  # a run has no more room than its letters
         if isinstance(name, tuple):
             fit[number] = min(fit[column[part]] for part in name)
-    base = np.cumprod([1.0, *(np.floor(fit) + 2.0)])
+    # What one edge adds may go beyond what fits, and is seen before it is thrown away.
+    most_added = max((times for edge in flow.edges for _, times in edge.adds()), default=0)
+    base = np.cumprod([1.0, *(np.floor(fit) + 1.0 + most_added)])
     if base[-1] > 2**62:
         return None
     base = base[:-1].astype(np.int64)

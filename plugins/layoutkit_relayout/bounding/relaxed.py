@@ -164,7 +164,9 @@ class Making:
         for letter in group.letters:
             low, high = self.ends.get((group, letter), self.given.get((group, letter), (0, _MOST)))
             if word is not None:
-                low, high = max(low, word.count(letter)), min(high, word.count(letter))
+                if (times := word.count(letter)) > _MOST:
+                    raise TooLarge
+                low, high = max(low, times), min(high, times)
             elif machine.needs(letter):
                 low = max(low, 1)
             if low > high:
@@ -368,7 +370,9 @@ class Making:
             if child not in self.model.group_of or not self.model.holds(child, counted):
                 continue
             low, high = self.model.content(child, counted, self.size)
-            inside = self.program.variable(low - own, min(high - own, float(_MOST)))
+            if high - own > _MOST:
+                raise TooLarge
+            inside = self.program.variable(low - own, high - own)
             if child in self.certain:
                 terms, fixed = self._inside(child, counted)
                 self.program.row({**terms, inside: -1.0}, -fixed, -fixed)

@@ -12,8 +12,8 @@ from layoutkit.model import Extent
 from layoutkit_relayout.bounding.program import Terms
 from layoutkit_relayout.bounding.relaxed import Making
 
-#: Regions may overlap out of line, all together, by this share of the facade's size.
-_TOLERANCE = 1e-5
+#: Each two regions may overlap out of line by this share of the facade's size.
+_TOLERANCE = 1e-6
 
 
 def tie(making: Making) -> None:
@@ -153,9 +153,11 @@ def _meet(making: Making, sides: tuple[list[str], list[str]], length: int, all_e
     program = making.program
     meeting: dict[str, dict[int, float]] = defaultdict(dict)
     shared: dict[str, dict[int, float]] = defaultdict(dict)
+    pairs = 1
     for one in sides[0]:
         for other in sides[1]:
             often = min(making.often(path)[1] for path in (one, other))
+            pairs += 2 * often  # each may overlap one before it and one behind
             times, room = program.variable(0.0, often), program.variable(0.0, 1.0)
             for path in (one, other):
                 meeting[path][times] = 1.0
@@ -165,11 +167,11 @@ def _meet(making: Making, sides: tuple[list[str], list[str]], length: int, all_e
         program.row({**terms, making.relaxed.numbers[making.number(path)]: -1.0}, -math.inf, 0.0)
     everything = {room: -1.0 for rooms in shared.values() for room in rooms}
     totals = [{making.totals[path]: 1.0 for path in side} for side in sides]
-    program.row({**everything, **totals[0], **totals[1], length: -1.0}, -math.inf, _TOLERANCE)
+    program.row({**everything, **totals[0], **totals[1], length: -1.0}, -math.inf, pairs * _TOLERANCE)
     for side, others in (sides, sides[::-1]):
         for path in side:
             terms = dict.fromkeys(shared[path], -1.0) | {making.totals[other]: 1.0 for other in others}
-            program.row({**terms, making.totals[path]: 1.0, length: -1.0}, -math.inf, _TOLERANCE)
+            program.row({**terms, making.totals[path]: 1.0, length: -1.0}, -math.inf, pairs * _TOLERANCE)
 
 
 def _hull(making: Making, room: int, times: int, path: str, equal: bool) -> None:

@@ -29,6 +29,8 @@ from layoutkit_relayout.words.groups import WordGroup
 
 #: QPs that an axis may cost.
 PROBLEMS = 400
+#: So many letters cost as much as a program.
+_LETTERS = 4.0
 #: What sizing an axis costs, for each region.
 _SIZING = 0.5
 Chosen = Sequence[tuple[Open, Profile]]
@@ -144,6 +146,8 @@ class Laying:
             Ties whose regions are divided alike.
         """
         arrangement = self.systems.arrangement({**asked.system.words, **words})
+        # Long words have many places, of which rules are made.
+        self.effort.spend(sum(map(len, arrangement.words.values())) / _LETTERS)
         rules = [*self._kept(asked, arrangement), *_evened(even, arrangement)]
         sums = [*asked.sums, *(Sum({frame: 1.0}, *interval) for frame, interval in ranges.items())]
         rules += [rule for own in sums if (rule := _rule(own, arrangement)) is not None]

@@ -15,8 +15,6 @@ from layoutkit_relayout.words.groups import WordGroup
 from layoutkit_relayout.words.machine import Machine
 from layoutkit_relayout.words.table import CompletionTable
 
-#: Tables that are kept: a hundred take some 30 MB.
-_MOST_TABLES = 500
 #: Letters of words that read the same backwards; there are as many pairs of them as that squared.
 _MOST_MIRRORED = 24
 
@@ -35,8 +33,6 @@ class Kin:
         model.groups = tuple(self._groups.setdefault(_key(group), group) for group in model.groups)
         model.group_of = {path: group for group in model.groups for path in group.members}
         search = Search(model, size, BACKENDS)
-        if len(self._tables) > _MOST_TABLES:
-            self._tables.clear()
         search.candidates.tables, search.candidates.machines = self._tables, self._machines
         return search
 

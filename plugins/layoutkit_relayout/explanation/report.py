@@ -44,9 +44,10 @@ def too_small(explanation: Explanation, facade: Facade) -> Diagnostic:
 def undecided(facade: Facade, size: tuple[float, float], nodes: int) -> Diagnostic:
     """Return the diagnostic of a search that found nothing, and proved nothing."""
     at = f"{size[0]:g} × {size[1]:g} {facade.units}"
+    tried = f"{nodes} word{'' if nodes == 1 else 's'}"
     return Diagnostic(
         "LK601",
-        f"no layout was found at {at} within {nodes} words tried, and it is not proved that there is none",
+        f"no layout was found at {at} within {tried} tried, and it is not proved that there is none",
         hint="raise the node limit, or relax a constraint",
         topic="search",
     )

@@ -34,6 +34,8 @@ PROPOSALS = 24
 FINENESS, MISFITS = (1, 32), 256
 #: Tables of more cells than so many are not made finer.
 MOST_CELLS = 2**19
+#: Tables, and machines, after which all are made anew: they go by what was chosen before.
+MOST_TABLES = 500
 #: Machines of one word that are kept.
 _KEPT = 256
 #: States that machines may have once they count.
@@ -249,6 +251,8 @@ class Candidates:
             self._reach(names),
             fineness,
         )
+        if len(self.tables) > MOST_TABLES:
+            self.tables.clear()
         if key not in self.tables:
             machine = self._machine(group, question)
             sums = [_as_wide([ranges[letter] for letter in parts]) for parts in machine.parts]
@@ -276,6 +280,8 @@ class Candidates:
         The counts that are left out are checked once all words are chosen.
         """
         key = (group, question.names, question.counts, question.agreed)
+        if len(self.machines) > MOST_TABLES:
+            self.machines.clear()
         if key not in self.machines:
             machine = group.machine(question.names)
             for letters in question.agreed:

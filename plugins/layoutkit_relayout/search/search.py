@@ -74,6 +74,7 @@ class Search:
         offsets = np.random.default_rng(np.random.SeedSequence(seed))
         shares = {group: float((offsets.random() + index * _GOLDEN) % 1.0) for group in self.model.groups}
         progress = Progress(node_limit)
+        self.candidates.exact = True  # as far as this variation looks
         for patience in ROUNDS:
             progress.patience, progress.cut_short, progress.undecided = patience, False, False
             descent = Descent(self, progress, shares, _generator(seed, index, 0))
@@ -107,6 +108,7 @@ class Search:
             If the budget does not suffice to tell.
         """
         progress = Progress(node_limit)
+        self.candidates.exact = True
         generator = np.random.default_rng(0)
         descent = Descent(self, progress, {}, generator)
         for words in descent.complete():

@@ -94,6 +94,7 @@ class Measures:
         at_all = apart(_COUNTS)
         if at_all.values is not None:
             return Measured(self._tree(prepared, at_all.values))
+        at_all = apart(CONSTRAINT_TOLERANCE)  # a little more is sure to be told apart; less proves nothing
         # Of some words not all instances need to differ: other words name fewer.
         root = self._tree(prepared, found)
         enough_ = enough(root, self.model.demands, self.model.facade, CONSTRAINT_TOLERANCE * max(size))
