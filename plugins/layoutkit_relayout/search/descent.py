@@ -11,18 +11,17 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from layoutkit.sizing.solve import Conflict
-from layoutkit_relayout.search.candidates import Question, Word
+from layoutkit_relayout.bounding.foresight import Foresight
+from layoutkit_relayout.model import Model
+from layoutkit_relayout.search.candidates import Candidates, Question, Word
 from layoutkit_relayout.search.outlook import Outlook, upwards
-from layoutkit_relayout.sizes.measures import Measured
+from layoutkit_relayout.sizes.measures import Measured, Measures
 from layoutkit_relayout.words.groups import WordGroup
-
-if TYPE_CHECKING:
-    from layoutkit_relayout.search.search import Search
 
 Words = Mapping[str, Word]
 #: Likely width and height of regions that have no word yet, by path.
@@ -68,6 +67,21 @@ class Progress:
     undecided: bool = False
 
 
+class Means(Protocol):
+    """What a walk goes by: the tables and measures of one facade at one size."""
+
+    model: Model
+    size: tuple[float, float]
+    candidates: Candidates
+    measures: Measures
+    programs: int
+
+    @property
+    def foresight(self) -> Foresight:
+        """What numbers and sizes alone forbid."""
+        ...
+
+
 class Candidate(NamedTuple):
     """A word to try, and the words that groups to come have with it, where they were drawn together."""
 
@@ -96,7 +110,7 @@ class Descent:
 
     def __init__(
         self,
-        search: Search,
+        search: Means,
         progress: Progress,
         shares: Mapping[WordGroup, float],
         generator: np.random.Generator,
