@@ -125,7 +125,7 @@ def test_a_limit_comes_with_the_layout_that_comes_nearest() -> None:
     assert outcome.status == "limit"
     (diagnostic,) = outcome.diagnostics
     assert diagnostic.code == "LK601"
-    assert "within 1 words tried, and it is not proved that there is none" in diagnostic.message
+    assert "within 1 word tried, and it is not proved that there is none" in diagnostic.message
     assert diagnostic.hint is not None
     assert diagnostic.hint.endswith("tells which layout comes nearest")
     assert outcome.explanation is not None

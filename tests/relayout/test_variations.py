@@ -174,7 +174,7 @@ def test_a_limit_is_no_proof() -> None:
     assert (outcome.status, outcome.document) == ("limit", None)
     (diagnostic,) = outcome.diagnostics
     assert diagnostic.code == "LK601"
-    assert "1 words tried" in diagnostic.message
+    assert "1 word tried" in diagnostic.message
     assert made(floors(), count=1, node_limit=2)[0].status == "found"
 
 
