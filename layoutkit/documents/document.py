@@ -10,7 +10,7 @@ from layoutkit.constraints import Constraint
 from layoutkit.constraints.dressing import dressed, dressing_faults
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean, worst
 from layoutkit.documents.files import load
-from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, NAMESPACE, PICTURE
+from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, MASS, NAMESPACE, PICTURE
 from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
 from layoutkit.documents.masses import mass_of
 from layoutkit.documents.reading import Reading, in_order
@@ -100,6 +100,8 @@ def _check_root(root: Element, reading: Reading) -> None:
     if not ours or root.name not in names:
         shown = f"of the namespace {root.namespace!r}" if not ours else "no document of ours"
         hint = "`layoutkit convert` reads other formats" if not ours else did_you_mean(root.name, names)
+        if ours and root.name == MASS.name:
+            shown, hint = "no facade", "name a facade; the mass goes with it: --mass"
         reading.fault("LK101", f"<{root.name}> is {shown}", root, hint)
         raise Faulty(reading.ordered())
     if not root.namespace:

@@ -95,7 +95,7 @@ class Relayout(Stage):
         size = layout_size(facade, options.width, options.height)
         found_out = granted(facade, size, BACKENDS, options.node_limit)
         sampler, remarks = SAMPLERS[options.sampling](found_out.search), tuple(left_out(found_out))
-        refusals: dict[str, Refusal] = {}
+        refusals: dict[tuple[str, int], Refusal] = {}
         for index in range(options.first, options.first + options.count):
             found = sampler.variation(options.seed, index, options.node_limit)
             seconds = time.perf_counter() - start
@@ -103,9 +103,11 @@ class Relayout(Stage):
                 if remark := _told(found):
                     yield Outcome(found.status, None, remark, seconds)
                 else:
-                    if found.status not in refusals:  # other variations fail for the same reason
-                        refusals[found.status] = refusal(facade, size, options.seed, found, options.effort)
-                    why = refusals[found.status]
+                    # Others that fail as far on fail for the same reason; what is told hangs on no other.
+                    key = (found.status, found.nodes if found.status == "limit" else 0)
+                    if key not in refusals:
+                        refusals[key] = refusal(facade, size, options.seed, found, options.effort)
+                    why = refusals[key]
                     yield Outcome(found.status, None, why.diagnostics, seconds, why.explanation)
             else:
                 layout = Layout(

@@ -14,6 +14,7 @@ from PIL import Image
 from layoutkit.documents import check, read
 from layoutkit.hooks.host import Host
 from layoutkit.model import Layout
+from layoutkit.samples import sample_path
 
 #: Stages that lay the house out by scaling it, and end as the node limit tells them.
 STAGES = """
@@ -339,3 +340,9 @@ def test_samples_lists_and_copies_and_does_not_overwrite(tmp_path: Path, layoutk
     assert "error LK704" in run.err
     assert document.read_text(encoding="utf-8").endswith("<!-- mine -->")
     assert layoutkit("samples", "plane").code == 2
+
+
+def test_a_mass_goes_with_a_facade_and_not_in_its_place(tmp_path: Path, layoutkit: Any) -> None:
+    run = layoutkit("vary", sample_path("block").parent / "mass.xml", "-o", tmp_path / "out")
+    assert run.code == 1
+    assert "<mass> is no facade" in run.err
