@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from layoutkit.cli import console
-from layoutkit.cli.exits import Exit
-from layoutkit.cli.infer import options_of
+from layoutkit.cli.exits import EXITS
 from layoutkit.cli.options import FacadeFile, Json
 from layoutkit.cli.session import Session
-from layoutkit.cli.vary import AS_IS, Size, building, constrained
+from layoutkit.cli.vary import AS_IS, Mass, Size, building, constrained
 from layoutkit.model import Count, Facade
 
 if TYPE_CHECKING:
-    from layoutkit.hooks import Outcome, Status
+    from layoutkit.hooks import Status
 
 EXAMPLES = """
 Examples:
@@ -32,22 +29,13 @@ _SAFE = 2**53
 #: Digits up to which a number is printed in full.
 _DIGITS = 30
 
-_EXITS: Mapping[Status, Exit] = {
-    "found": Exit.DONE,
-    "infeasible": Exit.INFEASIBLE,
-    "limit": Exit.LIMIT,
-}
-
 
 def count(
     context: typer.Context,
     facade_file: FacadeFile,
     width: Size = AS_IS,
     height: Size = AS_IS,
-    mass: Annotated[
-        Path | None,
-        typer.Option(metavar="MASS", show_default=False, help="A mass document (XML), as for vary."),
-    ] = None,
+    mass: Mass = None,
     effort: Annotated[
         int | None,
         typer.Option(
@@ -68,8 +56,10 @@ def count(
     session = Session.of(context)
     facade, _ = constrained(session, facade_file, "count")
     subject = facade if mass is None else building(session, facade, facade_file, mass, (width, height))
-    asked = {"width": width, "height": height}
-    outcome = _outcome(session, subject, asked if effort is None else {**asked, "effort": effort})
+    asked: dict[str, Any] = {"width": width, "height": height}
+    if effort is not None:
+        asked["effort"] = effort
+    outcome = next(session.run("count", subject, **asked))
     session.report(outcome.diagnostics)
     assert outcome.count is not None  # an outcome of this stage has one
     if as_json:
@@ -77,12 +67,7 @@ def count(
     else:
         at = f"{outcome.count.size[0]:g} × {outcome.count.size[1]:g} {facade.units}"
         console.say(f"{facade.name} has {_said(outcome.count)} at {at}")
-    return _EXITS[outcome.status]
-
-
-def _outcome(session: Session, facade: Facade, asked: dict[str, Any]) -> Outcome:
-    stage = session.host.stages.find("count")
-    return next(iter(stage.run(facade, options_of(stage.options, **asked))))
+    return EXITS[outcome.status]
 
 
 def _said(count: Count) -> str:

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from layoutkit.diagnostics import Diagnostic, Severity
+
+if TYPE_CHECKING:
+    from layoutkit.hooks import Status
 
 
 class Exit(enum.IntEnum):
@@ -21,6 +25,9 @@ class Exit(enum.IntEnum):
     INTERRUPTED = 130
     BROKEN_PIPE = 141
 
+
+#: Exit codes by how a search ended.
+EXITS: Mapping[Status, Exit] = {"found": Exit.DONE, "infeasible": Exit.INFEASIBLE, "limit": Exit.LIMIT}
 
 #: Exit codes by the beginning of a diagnostic's code; the longest that fits decides. All others are faults of
 #: the document.

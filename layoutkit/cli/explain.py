@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -11,18 +10,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from layoutkit.cli import console
-from layoutkit.cli.exits import Exit
-from layoutkit.cli.infer import options_of
+from layoutkit.cli.exits import EXITS
 from layoutkit.cli.options import FacadeFile, Json
 from layoutkit.cli.render import photo_of
 from layoutkit.cli.results import FACADE_FILE, ResultFolder
 from layoutkit.cli.session import Session
-from layoutkit.cli.vary import AS_IS, Size, building, constrained, refuse_own_input
+from layoutkit.cli.vary import AS_IS, Mass, Size, building, constrained, refuse_own_input
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
 from layoutkit.model import Facade, Layout, Picture
 
 if TYPE_CHECKING:
-    from layoutkit.hooks import Outcome, Status
+    from layoutkit.hooks import Outcome
     from layoutkit.pictures import Photo
 
 EXAMPLES = """
@@ -35,19 +33,13 @@ Examples:
 - `layoutkit explain house.xml --width 1.9 --json -o why`
 """
 
-#: Files in the folder of results, beside the copy of the facade.
 #: What is surely meant as a picture, and not as a folder.
 _OTHER_PICTURES = frozenset((".svg", ".jpg", ".jpeg", ".gif", ".pdf", ".glb"))
+#: Files in the folder of results, beside the copy of the facade.
 LAYOUT_FILE, PICTURE_FILE, DATA_FILE = "layout.xml", "layout.png", "explanation.json"
 
 #: The longer side of a picture, in pixels, at least.
 _LEAST_PIXELS = 900
-
-_EXITS: Mapping[Status, Exit] = {
-    "found": Exit.DONE,
-    "infeasible": Exit.INFEASIBLE,
-    "limit": Exit.LIMIT,
-}
 
 
 def explain(
@@ -55,10 +47,7 @@ def explain(
     facade_file: FacadeFile,
     width: Size = AS_IS,
     height: Size = AS_IS,
-    mass: Annotated[
-        Path | None,
-        typer.Option(metavar="MASS", show_default=False, help="A mass document (XML), as for vary."),
-    ] = None,
+    mass: Mass = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -91,8 +80,10 @@ def explain(
         refuse_own_input(facade_file, output)
     facade, source = constrained(session, facade_file, "explain")
     subject = facade if mass is None else building(session, facade, facade_file, mass, (width, height))
-    asked = {"width": width, "height": height, "seed": seed}
-    outcome = _outcome(session, subject, asked if node_limit is None else {**asked, "node_limit": node_limit})
+    asked: dict[str, Any] = {"width": width, "height": height, "seed": seed}
+    if node_limit is not None:
+        asked["node_limit"] = node_limit
+    outcome = next(session.run("explain", subject, **asked))
     session.report(outcome.diagnostics)
     answer = _Answer(session, facade, outcome)
     if output is not None:
@@ -103,7 +94,7 @@ def explain(
     else:
         for line in answer.lines(output):
             console.say(line)
-    return _EXITS[outcome.status]
+    return EXITS[outcome.status]
 
 
 @dataclass(frozen=True)
@@ -160,11 +151,6 @@ class _Answer:
         if self.outcome.status == "limit":
             none = f"{self.facade.name} may have no layout at {at}"
         return [none if self.layout is None else f"{none}; {effort}" + (where and f"{where}it")]
-
-
-def _outcome(session: Session, facade: Facade, asked: dict[str, Any]) -> Outcome:
-    stage = session.host.stages.find("explain")
-    return next(iter(stage.run(facade, options_of(stage.options, **asked))))
 
 
 def _only_png(output: Path) -> Diagnostic:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -82,17 +81,11 @@ def inferred(session: Session, facade: Facade, freedom: Freedom) -> tuple[Constr
     Faulty
         If the stage finds none, and says so by errors.
     """
-    stage = session.host.stages.find("infer")
     added: list[Constraint] = []
-    for outcome in stage.run(facade, options_of(stage.options, freedom=str(freedom))):
+    for outcome in session.run("infer", facade, freedom=str(freedom)):
         session.report(outcome.diagnostics)
         if any(d.severity is Severity.ERROR for d in outcome.diagnostics):
             raise Faulty(outcome.diagnostics)
         if isinstance(outcome.document, Facade):
             added += [c for c in outcome.document.constraints if c not in (*facade.constraints, *added)]
     return tuple(added)
-
-
-def options_of(options: type, **given: Any) -> Any:
-    """Return a stage's options: its defaults, but for those given."""
-    return replace(options(), **given)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -16,6 +16,7 @@ from layoutkit.model import Facade
 
 if TYPE_CHECKING:
     from layoutkit.documents import Document
+    from layoutkit.hooks import Outcome
     from layoutkit.hooks.host import Host
 
 
@@ -89,6 +90,17 @@ class Session:
                 )
             ]
         )
+
+    def run(self, stage: str, facade: Facade, **options: Any) -> Iterator[Outcome]:
+        """Yield what a stage makes of a facade, with its default options but for those given.
+
+        Raises
+        ------
+        Faulty
+            If no plugin has a stage of that name.
+        """
+        found = self.host.stages.find(stage)
+        return iter(found.run(facade, replace(found.options(), **options)))
 
     def write(self, path: Path, data: bytes) -> None:
         """Write a file whole or not at all, its folder made if missing.

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from layoutkit.cli import console
-from layoutkit.cli.exits import Exit, exit_of
-from layoutkit.cli.infer import Freedom, inferred, options_of
+from layoutkit.cli.exits import EXITS, exit_of
+from layoutkit.cli.infer import Freedom, inferred
 from layoutkit.cli.options import FacadeFile, Json, finite
 from layoutkit.cli.render import photo_of
 from layoutkit.cli.results import FACADE_FILE, ResultFolder, Variation
@@ -44,8 +44,6 @@ Examples:
 - `layoutkit vary house.xml -n 6 --sampling diverse -o far-apart`
 """
 
-_EXITS: dict[Status, Exit] = {"found": Exit.DONE, "infeasible": Exit.INFEASIBLE, "limit": Exit.LIMIT}
-
 
 def _size(text: str | Measure) -> Measure:
     """Read a size; typer also hands the default in."""
@@ -70,6 +68,14 @@ Size = Annotated[
     ),
 ]
 AS_IS = Measure(1.0, relative=True)
+Mass = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="MASS",
+        show_default=False,
+        help="A mass document (XML): the facade is put on all its faces, which set the sizes.",
+    ),
+]
 
 
 def vary(
@@ -79,14 +85,7 @@ def vary(
     count: Annotated[int, typer.Option("-n", "--count", min=1, help="How many variations.")] = 8,
     width: Size = AS_IS,
     height: Size = AS_IS,
-    mass: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="MASS",
-            show_default=False,
-            help="A mass document (XML): the facade is put on all its faces, which set the sizes.",
-        ),
-    ] = None,
+    mass: Mass = None,
     seed: Annotated[
         int, typer.Option(min=0, help="Start of all random choices: the same seed gives the same bytes.")
     ] = 0,
@@ -140,7 +139,7 @@ def vary(
         console.emit(_as_data(session, status, seed, results))
     elif written:
         console.say(f"{len(written)} of {count} variations of {facade.name}; {sheet} shows them all")
-    return exit_of(d for d in session.diagnostics if d.code.startswith("LK9")) or _EXITS[status]
+    return exit_of(d for d in session.diagnostics if d.code.startswith("LK9")) or EXITS[status]
 
 
 @dataclass(frozen=True)
@@ -224,8 +223,7 @@ def building(
 
 def _results(folder: ResultFolder, subject: Facade, count: int, options: dict[str, Any]) -> Iterator[_Result]:
     session = folder.session
-    stage = session.host.stages.find("relayout")
-    outcomes = stage.run(subject, options_of(stage.options, **options))
+    outcomes = session.run("relayout", subject, **options)
     for position, outcome in enumerate(console.progress(outcomes, "variations", count)):
         session.report(outcome.diagnostics)
         yield _Result(outcome, _written(folder, position, outcome))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter, defaultdict, deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, reduce
 
 import numpy as np
@@ -162,12 +162,30 @@ class Model:
 
     def with_forced(self, words: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
         """Add the words of reached open regions that have only one."""
-        found = dict(words)
-        for path in self.reached(found):  # what is added here is reached in turn
+        return self.followed(words, (self.facade.root.symbol,))[0]
+
+    def followed(
+        self, words: Mapping[str, tuple[str, ...]], start: Iterable[str]
+    ) -> tuple[dict[str, tuple[str, ...]], list[str]]:
+        """Go from some regions to all open ones that words lead to.
+
+        Returns
+        -------
+        tuple
+            The words, and those of regions on the way that have only one; and the regions that have none yet.
+        """
+        found, undecided, pending = dict(words), list[str](), list(start)
+        for path in pending:  # which grows meanwhile
+            if path not in self.open_paths:
+                continue
             group = self.group_of[path]
             if path not in found and group.forced is not None:
                 found[path] = group.word_of(path, group.forced)
-        return found
+            if path in found:
+                pending += dict.fromkeys(f"{path}/{symbol}" for symbol in found[path])
+            else:
+                undecided.append(path)
+        return found, undecided
 
     def completed(self, words: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
         """Add the words of all closed regions that the words reach."""

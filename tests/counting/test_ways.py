@@ -28,7 +28,7 @@ class Some(Listed):
 
 
 def written(ways: Ways) -> list[tuple[Any, ...]]:
-    return [tuple(sorted(ways.at(rank).items())) for rank in range(ways.most)]  # type: ignore[type-var]
+    return [tuple(sorted(ways.at(rank).items())) for rank in range(ways.most)]  # type: ignore[type-var]  # words of one group
 
 
 SIZES = st.lists(st.integers(0, 4), min_size=1, max_size=4)

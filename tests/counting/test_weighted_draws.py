@@ -91,7 +91,7 @@ def test_variations_follow_the_weights() -> None:
     either = [*sequences("R", "⊢ a ⊣", weight=4.0), *sequences("R", "⊢ b ⊣")]
     facade = Facade("either", "m", door, constraints=(*sized("R", ONE), *either))
     found = search(facade, 1.0)
-    seen = Counter(found.variation(2, index, 100).root.word for index in range(500))  # type: ignore[union-attr]
+    seen = Counter(found.variation(2, index, 100).root.word for index in range(500))  # type: ignore[union-attr]  # all are found
     assert chisquare([seen["a",], seen["b",]], [400.0, 100.0]).pvalue > 0.01
 
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from variety import Variety, edit_distance, loose_edges, variety
+from variety import Variety, loose_edges, variety
 
 from layoutkit.constraints import BUILT_IN
 from layoutkit.constraints.expansion import sequences_of
@@ -17,6 +17,7 @@ from layoutkit.model import Facade, Layout, Measure, place
 from layoutkit_formats.cmp import CmpFormat
 from layoutkit_relayout.inference.freedom import LEVELS, Level
 from layoutkit_relayout.inference.stage import inferred
+from layoutkit_relayout.sampling.distances import edit_distance
 from layoutkit_relayout.stage import Relayout, RelayoutOptions
 
 ROOT = Path(__file__).parents[2]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from statistics import fmean
 
 from layoutkit.model import Facade, Layout, PlacedRegion, place
+from layoutkit_relayout.sampling.distances import edit_distance
 
 Word = tuple[str, ...]
 
@@ -68,13 +69,3 @@ def loose_edges(windows: Sequence[PlacedRegion], tolerance: float) -> float:
             total += 1
             loose += not any(min(abs(edge - b.x0), abs(edge - b.x1)) <= tolerance for b in others)
     return loose / total if total else 0.0
-
-
-def edit_distance(one: Word, other: Word) -> int:
-    """Return how many symbols must be added, dropped or exchanged (Levenshtein)."""
-    row = list(range(len(other) + 1))
-    for i, a in enumerate(one, 1):
-        diagonal, row[0] = row[0], i
-        for j, b in enumerate(other, 1):
-            diagonal, row[j] = row[j], min(row[j] + 1, row[j - 1] + 1, diagonal + (a != b))
-    return row[-1]

@@ -8,11 +8,14 @@ from collections.abc import Mapping
 from layoutkit_relayout.bounding.proving import proved
 from layoutkit_relayout.bounding.relaxed import Number, TooLarge
 from layoutkit_relayout.bounding.vocabulary import Vocabulary
+from layoutkit_relayout.kept import Kept
 from layoutkit_relayout.model import Model
 from layoutkit_relayout.words.groups import WordGroup
 
 #: Of models with more symbols than this, nothing is proved here: above all of those with many instances.
 _MOST_LETTERS = 150
+#: Answers that are kept.
+_KEPT = 10_000
 
 
 class Foresight:
@@ -29,7 +32,7 @@ class Foresight:
         letters = sum(len(group.letters) for group in model.groups)
         # The faces of a building do not share a height.
         self._useful = not model.facade.faces and letters <= _MOST_LETTERS
-        self._known: dict[tuple[int, frozenset[tuple[Number, tuple[int, int]]]], bool] = {}
+        self._known: Kept[tuple[int, frozenset[tuple[Number, tuple[int, int]]]], bool] = Kept(_KEPT)
 
     def refutes(self, words: Mapping[WordGroup, tuple[str, ...]], programs: int) -> bool:
         """Tell whether it is proved that no words go with those of some groups; False proves nothing.
@@ -47,12 +50,12 @@ class Foresight:
         for group, word in words.items():
             times = Counter(word)
             ends |= {(group, letter): (times[letter], times[letter]) for letter in group.letters}
-        key = programs, frozenset(ends.items())
-        if key not in self._known:
-            try:
-                self._known[key] = proved(self.vocabulary, ends, programs)
-            except TooLarge:
-                self._known[key] = False
-                # Every variation asks this before it chooses words: so all of them do without.
-                self._useful = bool(words)
-        return self._known[key]
+        return self._known.get((programs, frozenset(ends.items())), lambda: self._proved(ends, programs))
+
+    def _proved(self, ends: Mapping[Number, tuple[int, int]], programs: int) -> bool:
+        try:
+            return proved(self.vocabulary, ends, programs)
+        except TooLarge:
+            # A variation asks whether there are any words before it looks ahead: then all do without.
+            self._useful = bool(ends)
+            return False

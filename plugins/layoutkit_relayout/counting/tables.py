@@ -13,6 +13,7 @@ from layoutkit_relayout.counting.parts import Part, fixed_frames
 from layoutkit_relayout.counting.profiles import Profile, Profiles, Sums, Weights, Words
 from layoutkit_relayout.counting.ways import Either, Ways
 from layoutkit_relayout.model import Interval, Model
+from layoutkit_relayout.search.outlook import upwards
 from layoutkit_relayout.words.groups import WordGroup
 from layoutkit_relayout.words.machine import Machine
 
@@ -270,9 +271,4 @@ def _added(rows: Sequence[Sums | None]) -> Sums | None:
 
 def _with_ancestors(paths: Iterable[str]) -> frozenset[str]:
     """Return some regions, and all that these stand in."""
-    found: set[str] = set()
-    for path in paths:
-        while path and path not in found:
-            found.add(path)
-            path = path.rpartition("/")[0]
-    return frozenset(found)
+    return frozenset(own for path in paths for own in upwards(path))

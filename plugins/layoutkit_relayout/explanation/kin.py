@@ -9,7 +9,9 @@ from layoutkit.constraints.covering import Covering
 from layoutkit.constraints.word_rules import Anything, Automaton, Exactly
 from layoutkit.model import Facade
 from layoutkit.sizing.backends import BACKENDS
+from layoutkit_relayout.kept import Kept
 from layoutkit_relayout.model import Model
+from layoutkit_relayout.search.candidates import MOST_TABLES
 from layoutkit_relayout.search.search import Search
 from layoutkit_relayout.words.groups import WordGroup
 from layoutkit_relayout.words.machine import Machine
@@ -24,8 +26,8 @@ class Kin:
 
     def __init__(self) -> None:
         self._groups: dict[Hashable, WordGroup] = {}
-        self._tables: dict[object, CompletionTable] = {}
-        self._machines: dict[object, Machine] = {}
+        self._tables: Kept[object, CompletionTable] = Kept(MOST_TABLES)
+        self._machines: Kept[object, Machine] = Kept(MOST_TABLES)
 
     def search(self, facade: Facade, constraints: Sequence[Constraint], size: tuple[float, float]) -> Search:
         """Return a search for layouts that keep some constraints."""

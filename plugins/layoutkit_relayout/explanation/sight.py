@@ -16,8 +16,7 @@ def refuted(search: Search) -> bool:
     """
     model, candidates = search.model, search.candidates
     outlook = Outlook(model, search.size, {})
-    open_ = (path for path in model.reached(outlook.words) if path not in outlook.words)
-    groups = dict.fromkeys(model.group_of[path] for path in open_)
+    groups = dict.fromkeys(model.group_of[path] for path in outlook.undecided)
     asked = {group: outlook.question(group) for group in groups}
     possible = outlook.counted() and outlook.agreed() and None not in asked.values()
     possible = possible and not any(

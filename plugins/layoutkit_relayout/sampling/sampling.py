@@ -11,7 +11,7 @@ import numpy as np
 
 from layoutkit_relayout.sampling.distances import Arrangements, arrangements, distance
 from layoutkit_relayout.search.descent import Words
-from layoutkit_relayout.search.search import Found, Search
+from layoutkit_relayout.search.search import Found, Search, generator_of
 
 if TYPE_CHECKING:
     from layoutkit_relayout.counting.census import Census
@@ -81,9 +81,9 @@ class Uniform:
             return Told("limit", None, 0, "the arrangements are too many to be told apart and counted")
         if not census.ways.most:
             return Found("infeasible", None, 0)
-        draws = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(index, 0)))
+        draws = generator_of(seed, index, 0)
         for number in range(1, node_limit + 1):
-            sizes = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(index, 1)))
+            sizes = generator_of(seed, index, 1)
             words = self.words(census, draws)
             if not census.counts(words):
                 continue

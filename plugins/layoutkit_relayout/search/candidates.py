@@ -34,7 +34,7 @@ PROPOSALS = 24
 FINENESS, MISFITS = (1, 32), 256
 #: Tables of more cells than so many are not made finer.
 MOST_CELLS = 2**19
-#: Tables, and machines, after which all are made anew: they go by what was chosen before.
+#: Tables, and machines, that are kept: they go by what was chosen before.
 MOST_TABLES = 500
 #: Machines of one word that are kept.
 _KEPT = 256
@@ -97,7 +97,8 @@ class Candidates:
     Attributes
     ----------
     exact
-        Whether all tables so far lose no fitting word, so that what they exclude is proved.
+        Whether all tables asked since it was last set lose no fitting word, so that what they exclude is
+        proved.
     tables, machines
         What is kept; candidates of other models that have groups in common may use the same.
     """
@@ -105,8 +106,8 @@ class Candidates:
     def __init__(self, model: Model, size: tuple[float, float]) -> None:
         self.model, self.size, self.exact = model, size, True
         self.choir = Choir(model)
-        self.tables: dict[object, CompletionTable] = {}
-        self.machines: dict[object, Machine] = {}
+        self.tables: Kept[object, CompletionTable] = Kept(MOST_TABLES)
+        self.machines: Kept[object, Machine] = Kept(MOST_TABLES)
         self._of_one: Kept[tuple[Machine, Word], Machine] = Kept(_KEPT)
 
     def words(
@@ -251,16 +252,23 @@ class Candidates:
             self._reach(names),
             fineness,
         )
-        if len(self.tables) > MOST_TABLES:
-            self.tables.clear()
-        if key not in self.tables:
-            machine = self._machine(group, question)
-            sums = [_as_wide([ranges[letter] for letter in parts]) for parts in machine.parts]
-            least, most = np.array(sums).reshape(-1, 2).T
-            letters = Letters(least, most, self.model.weights(group, machine))
-            self.tables[key] = CompletionTable(machine, letters, self._reach(names), fineness)
-        self.exact &= self.tables[key].exact
-        return self.tables[key].at(*reduce(meet, (interval for _, interval in members)))
+        table = self.tables.get(key, lambda: self._table(group, question, ranges, names, fineness))
+        self.exact &= table.exact
+        return table.at(*reduce(meet, (interval for _, interval in members)))
+
+    def _table(
+        self,
+        group: WordGroup,
+        question: Question,
+        ranges: Mapping[str, Interval],
+        names: Sequence[str],
+        fineness: int,
+    ) -> CompletionTable:
+        machine = self._machine(group, question)
+        sums = [_as_wide([ranges[letter] for letter in parts]) for parts in machine.parts]
+        least, most = np.array(sums).reshape(-1, 2).T
+        letters = Letters(least, most, self.model.weights(group, machine))
+        return CompletionTable(machine, letters, self._reach(names), fineness)
 
     def _reach(self, members: Sequence[str]) -> float:
         """Return a length that none of the members can pass."""
@@ -280,25 +288,7 @@ class Candidates:
         The counts that are left out are checked once all words are chosen.
         """
         key = (group, question.names, question.counts, question.agreed)
-        if len(self.machines) > MOST_TABLES:
-            self.machines.clear()
-        if key not in self.machines:
-            machine = group.machine(question.names)
-            for letters in question.agreed:
-                machine = spelling(machine, letters)
-            for count in question.counts:
-                counted = dict(zip(group.letters, count.inside, strict=True))
-                sums = {
-                    letter: (sum(counted[p][0] for p in parts), sum(counted[p][1] for p in parts))
-                    for letter, parts in zip(machine.letters, machine.parts, strict=True)
-                }
-                same = {letter: letter for letter in machine.letters}
-                both: list[tuple[Automaton, Mapping[str, str]]]
-                both = [(Walk(machine), same), (Counting(sums, count.least, count.most), same)]
-                with suppress(TooManyStates):
-                    machine = replace(build(machine.letters, both, MOST_COUNTING), spelled=machine.spelled)
-            self.machines[key] = machine
-        return self.machines[key]
+        return self.machines.get(key, lambda: _stated(group, question))
 
     def _fits(self, group: WordGroup, question: Question, word: Word) -> bool:
         """Check every member's length, which the tables round."""
@@ -312,6 +302,25 @@ class Candidates:
             ):
                 return False
         return True
+
+
+def _stated(group: WordGroup, question: Question) -> Machine:
+    """Return the machine of what a question leaves open."""
+    machine = group.machine(question.names)
+    for letters in question.agreed:
+        machine = spelling(machine, letters)
+    for count in question.counts:
+        counted = dict(zip(group.letters, count.inside, strict=True))
+        sums = {
+            letter: (sum(counted[p][0] for p in parts), sum(counted[p][1] for p in parts))
+            for letter, parts in zip(machine.letters, machine.parts, strict=True)
+        }
+        same = {letter: letter for letter in machine.letters}
+        both: list[tuple[Automaton, Mapping[str, str]]]
+        both = [(Walk(machine), same), (Counting(sums, count.least, count.most), same)]
+        with suppress(TooManyStates):
+            machine = replace(build(machine.letters, both, MOST_COUNTING), spelled=machine.spelled)
+    return machine
 
 
 def _counted(group: WordGroup, word: Word, count: Count) -> bool:

@@ -168,43 +168,38 @@ class Descent:
             if group is None:
                 return None
             question = self._outlook.question(group)
-            if question is None or not self._any(group, question):
+            plan, candidates = self._plan(group), self.search.candidates
+            suits = question is not None and group in plan and candidates.suits(group, question, plan[group])
+            if question is None or not (suits or candidates.any(group, question)):
                 return frozenset(range(self._dead_since(group)))
-            preview = self._preview(group, question)
-            candidates = self._candidates(group, question, preview)
-            self.levels.append(Level(group, question, self._outlook, candidates, preview))
+            preview = self._preview(group, question, plan)
+            tried = self._candidates(group, question, preview, plan if suits else {})
+            self.levels.append(Level(group, question, self._outlook, tried, preview))
             following = self._advance()
             if following is None:
                 return self._exhausted()
             words = following
             everyone = frozenset(range(len(self.levels)))
 
-    def _any(self, group: WordGroup, question: Question) -> bool:
-        """Tell whether some word fits: the planned one, or another."""
-        plan, candidates = self._plan(group), self.search.candidates
-        return (group in plan and candidates.suits(group, question, plan[group])) or candidates.any(
-            group, question
-        )
-
     def _plan(self, group: WordGroup) -> Mapping[WordGroup, Word]:
         """Return the words that were drawn together with one for a group; none if it was in no such draw."""
         return next((level.plan for level in reversed(self.levels) if group in level.plan), {})
 
-    def _preview(self, group: WordGroup, question: Question) -> Preview:
+    def _preview(self, group: WordGroup, question: Question, plan: Mapping[WordGroup, Word]) -> Preview:
         """Return the likely sizes of what has no word yet, for groups whose length is not given."""
         known = next((level.preview for level in reversed(self.levels) if level.preview), None)
-        planned = bool(self._plan(group))
-        if known is not None and (planned or len(self.search.candidates.choir.company.partners(group)) == 1):
+        if known is not None and (plan or len(self.search.candidates.choir.company.partners(group)) == 1):
             return known  # not quite what it would be now, but near enough
         if all(longest - shortest <= 1e-9 * longest for _, (shortest, longest) in question.members):
             return {}
         return self.search.measures.preview(self._outlook.words, self.search.size)
 
-    def _candidates(self, group: WordGroup, question: Question, preview: Preview) -> Iterator[Candidate]:
+    def _candidates(
+        self, group: WordGroup, question: Question, preview: Preview, plan: Mapping[WordGroup, Word]
+    ) -> Iterator[Candidate]:
         """Yield words for a group: as planned, then together with groups that it has to meet, then any."""
         seen = set()
-        plan = self._plan(group)
-        if plan and self.search.candidates.suits(group, question, plan[group]):
+        if plan:
             seen.add(plan[group])
             yield Candidate(plan[group], plan)
         for words in self._together(group, question, preview):

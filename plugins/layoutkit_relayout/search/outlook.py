@@ -235,23 +235,10 @@ class Outlook:
 
 def _reached(model: Model, words: Words, before: Outlook | None) -> tuple[dict[str, Word], tuple[str, ...]]:
     """Return the words with those that follow from them, and the reached regions that have none."""
-    found = dict(words)
-    if before is None:
-        undecided, pending = [], [model.facade.root.symbol]
-    else:
-        undecided = [path for path in before.undecided if path not in found]
-        pending = [path for path in before.undecided if path in found]
-    for path in pending:  # which grows meanwhile
-        if path not in model.open_paths:
-            continue
-        group = model.group_of[path]
-        if path not in found and group.forced is not None:
-            found[path] = group.word_of(path, group.forced)
-        if path in found:
-            pending += dict.fromkeys(f"{path}/{symbol}" for symbol in found[path])
-        else:
-            undecided.append(path)
-    return found, tuple(sorted(undecided, key=lambda path: path.count("/")))
+    left = [] if before is None else [path for path in before.undecided if path not in words]
+    start = [model.facade.root.symbol] if before is None else [p for p in before.undecided if p in words]
+    found, more = model.followed(words, start)
+    return found, tuple(sorted((*left, *more), key=lambda path: path.count("/")))
 
 
 @lru_cache(maxsize=4096)

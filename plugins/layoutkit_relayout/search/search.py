@@ -77,9 +77,9 @@ class Search:
         self.candidates.exact = True  # as far as this variation looks
         for patience in ROUNDS:
             progress.patience, progress.cut_short, progress.undecided = patience, False, False
-            descent = Descent(self, progress, shares, _generator(seed, index, 0))
+            descent = Descent(self, progress, shares, generator_of(seed, index, 0))
             for words in descent.complete():
-                sizes = _generator(seed, index, 1)
+                sizes = generator_of(seed, index, 1)
                 measured = self.measures.whole(words, self.size, sizes, patience.problems)
                 if measured.root is not None:
                     return Found("found", measured.root, progress.used)
@@ -129,7 +129,7 @@ class Undecided(Exception):  # noqa: N818 - names the fact
     """A budget ended what was to be told for certain."""
 
 
-def _generator(seed: int, index: int, purpose: int) -> np.random.Generator:
+def generator_of(seed: int, index: int, purpose: int) -> np.random.Generator:
     """Return the source of a variation's random choices: of words (0), or of sizes (1).
 
     Sizes have one of their own, so that they do not hang on how many words failed before.

@@ -108,8 +108,13 @@ class Measures:
         """Return the likely width and height of what has no word yet, where words are chosen in part.
 
         Every region has its share of its parent, by what is inside it as far as that is known.
+
+        Parameters
+        ----------
+        words
+            With those of regions that are reached and have only one.
         """
-        prepared = self._prepare(self.model.completed(self.model.with_forced(words)), size)
+        prepared = self._prepare(self.model.completed(words), size)
         arrangement, nominal = prepared.arrangement, prepared.nominal
         return {
             path: (value(frame.extent[0], nominal[0]), value(frame.extent[1], nominal[1]))
