@@ -20,6 +20,7 @@ from layoutkit.constraints import BUILT_IN, Constraint
 from layoutkit.constraints.attributes import Attribute, AttributeType
 from layoutkit.diagnostics import Faulty
 from layoutkit.diagnostics.codes import CODES
+from layoutkit.diagnostics.codes.examples import GAP, UNSHOWN, Example, Frame
 from layoutkit.documents import read
 from layoutkit.documents.writing import constraint_lines
 from layoutkit.model import Facade
@@ -130,7 +131,10 @@ def _facades(path: Path) -> Iterator[Facade]:
 def codes_page() -> str:
     """Return the reference of diagnostic codes."""
     lines = ["# Reference: diagnostic codes", "", NOTE, ""]
-    lines += ["How to read a diagnostic is told [here](../how-to/diagnostics.md)."]
+    lines += [
+        "How to read a diagnostic is told [here](../how-to/diagnostics.md). Each code is shown by an example"
+    ]
+    lines += ["with the fault, and by the same one mended; what they stand in is shown [below](#frames)."]
     for code in CODES.values():
         lines += [
             "",
@@ -139,7 +143,67 @@ def codes_page() -> str:
             f"*{str(code.severity).capitalize()}.* {code.explanation}",
         ]
         lines += ["", f"- Commonly from: {code.cause}", f"- Remedy: {code.remedy}"]
+        lines += _shown_example(code.example) if code.example else _unshown(code.code)
+    frames = dict.fromkeys(code.example.frame for code in CODES.values() if code.example)
+    lines += ["", "## Frames", "", f"Examples stand where `{GAP}` is."]
+    for frame in sorted(frames, key=lambda frame: frame.name):
+        lines += _frame(frame)
     return "\n".join([*lines, ""])
+
+
+def _shown_example(example: Example) -> Iterator[str]:
+    """Yield the lines of an example."""
+    language, frame = _language(example.frame), example.frame
+    yield from ("", f"Wrong, in [{frame.name}](#{_anchor(frame.name)}):", "")
+    yield from (
+        f"```{language}",
+        example.wrong,
+        "```",
+        "",
+        "Mended:",
+        "",
+        f"```{language}",
+        example.mended,
+        "```",
+    )
+
+
+def _unshown(code: str) -> Iterator[str]:
+    yield from ("", f"There is no example: {UNSHOWN[code]}.")
+
+
+def _frame(frame: Frame) -> Iterator[str]:
+    """Yield the lines that show what examples stand in."""
+    yield from ("", f"### {_title(frame.name)}", "")
+    if frame.command == GAP:
+        yield "Commands, in a folder with the files below."
+    else:
+        yield f"The fault is seen by `{frame.command}`; the file is `{frame.file}`."
+    if frame.text.strip() != GAP:
+        yield from ("", f"```{_language(frame)}", frame.text.rstrip(), "```")
+    if frame.pictures:
+        yield from ("", f"Beside it is a picture, `{'`, `'.join(frame.pictures)}`.")
+    shown: dict[str, str] = {}
+    for name, text in frame.beside.items():
+        if text in shown:
+            yield from ("", f"`{name}` is the same as `{shown[text]}`.")
+            continue
+        shown[text] = name
+        language = "python" if name.endswith(".py") else "xml" if name.endswith(".xml") else "text"
+        yield from ("", f"`{name}`:", "", f"```{language}", text.rstrip(), "```")
+
+
+def _language(frame: Frame) -> str:
+    return {"py": "python", "xml": "xml"}.get(frame.file.rpartition(".")[2], "sh")
+
+
+def _title(name: str) -> str:
+    return name[0].upper() + name[1:]
+
+
+def _anchor(title: str) -> str:
+    """Return what links to a heading, as GitHub makes it."""
+    return re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-")
 
 
 def commands_page() -> str:
@@ -153,18 +217,26 @@ def commands_page() -> str:
     lines += ["", "| option of `layoutkit` itself | |", "|---|---|"]
     lines += [_parameter(parameter) for parameter in group.params]
     for name, command in group.commands.items():
-        lines += [
-            "",
-            f"## {name}",
-            "",
-            inspect.cleandoc(command.help),
-            "",
-            "| argument or option | |",
-            "|---|---|",
-        ]
-        lines += [_parameter(parameter) for parameter in command.params]
-        lines += ["", inspect.cleandoc(command.epilog).replace("`\n\n- `", "`\n- `")]
+        lines += _command(name, command)
     return "\n".join([*lines, ""])
+
+
+def _command(name: str, command: Any) -> list[str]:
+    """Return the section of a command, and of those below it."""
+    lines = [
+        "",
+        f"## {name}",
+        "",
+        inspect.cleandoc(command.help),
+        "",
+        "| argument or option | |",
+        "|---|---|",
+    ]
+    lines += [_parameter(parameter) for parameter in command.params]
+    lines += ["", inspect.cleandoc(command.epilog).replace("`\n\n- `", "`\n- `")]
+    for inner_name, inner in getattr(command, "commands", {}).items():
+        lines += _command(f"{name} {inner_name}", inner)
+    return lines
 
 
 def _parameter(parameter: Any) -> str:

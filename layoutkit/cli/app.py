@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import traceback
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Annotated
 
 import typer
@@ -13,6 +13,7 @@ import typer
 from layoutkit import __version__
 from layoutkit.cli import (
     console,
+    constraints,
     convert,
     count,
     explain,
@@ -28,7 +29,7 @@ from layoutkit.cli import (
 )
 from layoutkit.cli.exits import Exit, exit_of
 from layoutkit.cli.session import Session
-from layoutkit.diagnostics import Diagnostic, Faulty, Severity
+from layoutkit.diagnostics import Diagnostic, Faulty, Severity, blame
 
 #: Every command and its examples, in the order in which a newcomer meets them.
 COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
@@ -41,9 +42,15 @@ COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
     (inspect.inspect, inspect.EXAMPLES),
     (validate.validate, validate.EXAMPLES),
     (render.render, render.EXAMPLES),
+    (constraints.constraints, constraints.EXAMPLES),
     (plugins.plugins, plugins.EXAMPLES),
     (schema.schema, schema.EXAMPLES),
 )
+
+#: Commands that have others below them, each with its examples.
+GROUPS: Mapping[str, tuple[tuple[Callable[..., int], str], ...]] = {
+    "plugins": ((plugins.new, plugins.NEW_EXAMPLES),),
+}
 
 app = typer.Typer(
     name="layoutkit",
@@ -54,8 +61,23 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+
+
+def _add(command: Callable[..., int], examples: str) -> None:
+    """Add a command, with those below it if there are some."""
+    name = command.__name__
+    if name not in GROUPS:
+        app.command(epilog=examples)(command)
+        return
+    group = typer.Typer(name=name, invoke_without_command=True, rich_markup_mode="markdown")
+    group.callback(epilog=examples)(command)
+    for inner, inner_examples in GROUPS[name]:
+        group.command(epilog=inner_examples)(inner)
+    app.add_typer(group)
+
+
 for command, examples in COMMANDS:
-    app.command(epilog=examples)(command)
+    _add(command, examples)
 
 
 def _show_version(wanted: bool) -> None:
@@ -75,12 +97,31 @@ def _options(
         typer.Option(
             "--strict",
             envvar="LAYOUTKIT_STRICT",
-            help="Stop at a plugin that fails, with exit code 5, instead of going on without it.",
+            help="Stop at once at a plugin that fails, instead of going on without it.",
         ),
     ] = False,
+    without: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--without",
+            metavar="PLUGIN",
+            help="A plugin to leave out of this run; may be given several times.",
+        ),
+    ] = None,
+    backend: Annotated[
+        str | None,
+        typer.Option(
+            "--backend",
+            metavar="NAME",
+            help="The solver of quadratic programs to ask first; `layoutkit plugins` lists those there are.",
+        ),
+    ] = None,
 ) -> None:
+    session = Session.of(context)
+    session.backend = backend
+    session.without = frozenset(without or ())
     if strict:
-        Session.of(context).severity = Severity.ERROR
+        session.severity = Severity.ERROR
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
         raise typer.Exit(Exit.USAGE)
@@ -112,34 +153,32 @@ def _run(arguments: list[str], session: Session) -> int:
     try:
         code = app(arguments, prog_name="layoutkit", standalone_mode=False, obj=session)
         session.report()
-        return int(code or Exit.DONE)
+        return Exit.PLUGIN if session.plugin_failed else int(code or Exit.DONE)
     except SystemExit as stop:  # typer's own way to end where a pipe is broken
         if isinstance(stop.__context__, BrokenPipeError):
             raise BrokenPipeError from stop
         raise
     except (BrokenPipeError, typer.Abort):
         raise
-    except Exception as error:  # no traceback reaches a user: a diagnostic says whose fault it is
+    except blame.ANYTHING as error:  # no traceback reaches a user, but whose fault it is
         return _fail(error, session, "--json" in arguments)
 
 
-def _fail(error: Exception, session: Session, as_json: bool) -> int:
+def _fail(error: BaseException, session: Session, as_json: bool) -> int:
     """Report an error that ended a command, and return the exit code."""
-    diagnostics = _diagnosed(error, session)
+    diagnostics = _diagnosed(error)
     session.report(diagnostics)
     if as_json:
         console.emit({"diagnostics": [d.as_dict() for d in session.diagnostics]})
-    return exit_of(diagnostics)
+    code = exit_of(diagnostics)
+    return Exit.PLUGIN if session.plugin_failed and code is not Exit.INTERNAL else code
 
 
-def _diagnosed(error: Exception, session: Session) -> Iterable[Diagnostic]:
+def _diagnosed(error: BaseException) -> Iterable[Diagnostic]:
     if isinstance(error, Faulty):
         return error.diagnostics
     if isinstance(error, usage.UsageFault):
         return [usage.diagnosed(error, [command.__name__ for command, _ in COMMANDS])]
-    from layoutkit.hooks import blame
-
     if os.environ.get(blame.DEBUG):
         traceback.print_exception(error)
-    origins = session.host.origins.values() if "host" in vars(session) else ()
-    return [blame.diagnosed(error, origins)]
+    return [blame.diagnosed(error)]

@@ -24,11 +24,15 @@ def coloured(stream: TextIO) -> bool:
 def show(diagnostics: Iterable[Diagnostic]) -> None:
     """Write diagnostics to stderr in their text form."""
     for diagnostic in diagnostics:
-        text = str(diagnostic)
-        if coloured(sys.stderr):
-            label = f"{diagnostic.severity} {diagnostic.code}"
-            text = text.replace(label, f"\033[1;{_COLOURS[diagnostic.severity]}m{label}\033[0m", 1)
-        print(text, file=sys.stderr)
+        tell(diagnostic, str(diagnostic))
+
+
+def tell(diagnostic: Diagnostic, text: str) -> None:
+    """Write a diagnostic to stderr in a text form of its own."""
+    if coloured(sys.stderr):
+        label = f"{diagnostic.severity} {diagnostic.code}"
+        text = text.replace(label, f"\033[1;{_COLOURS[diagnostic.severity]}m{label}\033[0m", 1)
+    print(text, file=sys.stderr)
 
 
 def say(line: str) -> None:

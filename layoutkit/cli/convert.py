@@ -6,7 +6,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -14,12 +14,11 @@ from layoutkit.cli import console
 from layoutkit.cli.exits import exit_of
 from layoutkit.cli.options import FacadeOutput, Json
 from layoutkit.cli.session import Session
-from layoutkit.diagnostics import Diagnostic, Faulty, Place
+from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity, blame
 from layoutkit.model import Facade, place
 
 if TYPE_CHECKING:
     from layoutkit.hooks import Format
-    from layoutkit.hooks.lookup import Lookup
 
 EXAMPLES = """
 Examples:
@@ -51,8 +50,8 @@ def convert(
     What was wrong with the annotation is said, and survived where possible.
     """
     session = Session.of(context)
-    chosen = _format(annotation, format_name, session.host.formats)
-    facade, remarks = chosen.read(annotation, image)
+    chosen = _format(annotation, format_name, session)
+    facade, remarks = _read(chosen, annotation, image)
     session.report(remarks)
     write_facade(session, facade, output)
     regions = list(place(facade.root))
@@ -82,17 +81,38 @@ def write_facade(session: Session, facade: Facade, output: Path) -> None:
     session.write(output, documents.facade_bytes(facade))
 
 
-def _format(annotation: Path, name: str | None, formats: Lookup[Format]) -> Format:
+def _read(chosen: Format, annotation: Path, image: Path | None) -> tuple[Facade, Sequence[Diagnostic]]:
+    """Return what a format makes of a file."""
+    found: Any = chosen.read(annotation, image)
+    whole = isinstance(found, tuple) and len(found) == 2 and isinstance(found[0], Facade)
+    if not whole or not all(isinstance(remark, Diagnostic) for remark in found[1]):
+        raise blame.Misbehaviour(chosen, f"reads {found!r}, and no facade with its remarks")
+    return found[0], found[1]
+
+
+def _format(annotation: Path, name: str | None, session: Session) -> Format:
     """Return the format of that name, or else the one that recognises the file."""
     from layoutkit.documents import load
 
-    head = load(annotation)[:_HEAD]
+    head, formats = load(annotation)[:_HEAD], session.host.formats
     if name is not None:
         return formats.find(name)
-    fitting = [candidate for candidate in formats.values() if candidate.recognises(annotation, head)]
+    fitting = [own for own in formats.values() if _recognises(own, annotation, head, session)]
     if len(fitting) == 1:
         return fitting[0]
     raise Faulty([_undecided(annotation, fitting or list(formats.values()), bool(fitting))])
+
+
+def _recognises(candidate: Format, annotation: Path, head: bytes, session: Session) -> bool:
+    """Tell whether a format recognises a file; one that fails to is named, and does not."""
+    try:
+        return bool(candidate.recognises(annotation, head))
+    except blame.ANYTHING as error:  # others may know the file all the same
+        failed = blame.diagnosed(error, type(candidate), f"the format {candidate.name!r}")
+        if session.severity is Severity.ERROR:
+            raise
+        session.report([failed])
+        return False
 
 
 def _undecided(annotation: Path, choice: Sequence[Format], fitting: bool) -> Diagnostic:

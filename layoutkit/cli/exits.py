@@ -34,6 +34,7 @@ EXITS: Mapping[Status, Exit] = {"found": Exit.DONE, "infeasible": Exit.INFEASIBL
 _BY_CODE: Mapping[str, Exit] = {
     "LK4": Exit.PLUGIN,
     "LK406": Exit.USAGE,  # a name that no plugin has: asked for by the user
+    "LK408": Exit.USAGE,  # a name to leave out, which no plugin has
     "LK7": Exit.USAGE,
     "LK9": Exit.INTERNAL,
 }
@@ -44,10 +45,11 @@ _ORDER = (Exit.INTERNAL, Exit.PLUGIN, Exit.USAGE, Exit.FAULTS)
 
 def exit_of(diagnostics: Iterable[Diagnostic]) -> Exit:
     """Return the exit code that the errors among `diagnostics` lead to."""
-    found = {_exit(d.code) for d in diagnostics if d.severity is Severity.ERROR}
+    found = {exit_of_code(d.code) for d in diagnostics if d.severity is Severity.ERROR}
     return next((code for code in _ORDER if code in found), Exit.DONE)
 
 
-def _exit(code: str) -> Exit:
+def exit_of_code(code: str) -> Exit:
+    """Return the exit code that an error of a diagnostic's code leads to."""
     fitting = [prefix for prefix in _BY_CODE if code.startswith(prefix)]
     return _BY_CODE[max(fitting, key=len)] if fitting else Exit.FAULTS

@@ -66,7 +66,7 @@ def _constraint(constraint: Constraint) -> dict[str, Any]:
     if not isinstance(constraint, InputWord):
         *_, element = constraint_lines([constraint])
     where = None if constraint.place is None else asdict(constraint.place)
-    return {"kind": constraint.kind, "element": element, "place": where}
+    return {"kind": constraint.qualified_name(), "element": element, "place": where}
 
 
 def _amount(some: Amount) -> dict[str, Any]:
@@ -114,7 +114,7 @@ def broken_text(group: Sequence[Violation]) -> str:
     """Return one constraint's violations in a line: the gravest, and how many others there are."""
     worst = max(group, key=lambda violation: violation.amount)
     constraint = worst.constraint
-    what = "a rule of every layout" if constraint is None else constraint.kind
+    what = "a rule of every layout" if constraint is None else constraint.qualified_name()
     line = f" (line {constraint.place.line})" if constraint and constraint.place else ""
     more = f", and {len(group) - 1} more of the kind" if len(group) > 1 else ""
     return f"{what}{line} is broken: {worst.path} {worst.message}{more}"

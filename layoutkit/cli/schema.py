@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -9,6 +10,7 @@ import typer
 
 from layoutkit.cli import console
 from layoutkit.cli.session import Session
+from layoutkit.diagnostics import Diagnostic, Faulty, did_you_mean
 
 EXAMPLES = """
 Examples:
@@ -23,18 +25,43 @@ def schema(
         Path | None,
         typer.Option("-o", "--output", metavar="FILE", help="Where to write it, if not to stdout."),
     ] = None,
+    namespace: Annotated[
+        str | None,
+        typer.Option(
+            "--namespace",
+            metavar="PREFIX",
+            help="Instead the part with the constraints of one plugin, by the prefix of its namespace.",
+        ),
+    ] = None,
 ) -> int:
     """Print the XML schema of documents, the constraints of installed plugins included.
 
-    An XML editor that is given it completes names and explains every element and attribute.
+    An XML editor that is given it completes names and explains every element and attribute. The constraints
+    of plugins stand in namespaces of their own, and so in files of their own: with -o they are written beside
+    the schema, which imports them.
     """
     from layoutkit import documents
 
     session = Session.of(context)
-    text = documents.schema(session.host.constraints)
+    parts = dict(documents.schemas(session.host.constraints))
+    main = parts.pop("layoutkit.xsd")
+    if namespace is not None:
+        main, parts = _part(parts, namespace), {}
     if output is None:
-        console.say(text.decode().rstrip("\n"))
-    else:
-        session.write(output, text)
-        console.say(str(output))
+        console.say(main.decode().rstrip("\n"))
+        return 0
+    for path, text in {output: main, **{output.parent / name: text for name, text in parts.items()}}.items():
+        session.write(path, text)
+        console.say(str(path))
     return 0
+
+
+def _part(parts: Mapping[str, bytes], prefix: str) -> bytes:
+    """Return the schema of one plugin's constraints."""
+    name = f"{prefix}.xsd"
+    if name in parts:
+        return parts[name]
+    known = [file.removesuffix(".xsd") for file in parts]
+    message = f"no plugin has constraints of the prefix {prefix!r}"
+    hint = did_you_mean(prefix, known) if known else "`layoutkit plugins` lists what is loaded"
+    raise Faulty([Diagnostic("LK406", message, hint=hint, topic="plugin")])

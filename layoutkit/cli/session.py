@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,13 +11,16 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from layoutkit.cli import console
+from layoutkit.cli.exits import Exit, exit_of_code
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
+from layoutkit.diagnostics.blame import Misbehaviour
 from layoutkit.model import Facade
 
 if TYPE_CHECKING:
     from layoutkit.documents import Document
     from layoutkit.hooks import Outcome
     from layoutkit.hooks.host import Host
+    from layoutkit.sizing.qp import Backend
 
 
 @dataclass
@@ -28,11 +31,17 @@ class Session:
     ----------
     severity
         How grave a failing plugin is.
+    without
+        Names of plugins that are not to be loaded.
+    backend
+        The solver of quadratic programs that is asked first, where one was named.
     diagnostics
         All that was reported, in order.
     """
 
     severity: Severity = Severity.WARNING
+    without: frozenset[str] = frozenset()
+    backend: str | None = None
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
     @classmethod
@@ -45,7 +54,13 @@ class Session:
         """The plugins, loaded when they are first needed."""
         from layoutkit.hooks.host import Host
 
-        return Host.load(self.severity)
+        return Host.load(self.severity, without=self.without)
+
+    @property
+    def plugin_failed(self) -> bool:
+        """Whether one of the plugins did: the run went on without it, or without what it does."""
+        failed = self.host.diagnostics if "host" in vars(self) else ()
+        return any(exit_of_code(d.code) is Exit.PLUGIN for d in (*failed, *self.diagnostics))
 
     def report(self, diagnostics: Iterable[Diagnostic] = ()) -> None:
         """Show diagnostics, after those of plugins that have failed meanwhile; each once."""
@@ -97,10 +112,29 @@ class Session:
         Raises
         ------
         Faulty
-            If no plugin has a stage of that name.
+            If no plugin has a stage of that name, or no solver that of the one to be asked first.
+        Misbehaviour
+            If a stage yields something else.
         """
+        from layoutkit.hooks import Outcome
+
         found = self.host.stages.find(stage)
-        return iter(found.run(facade, replace(found.options(), **options)))
+        asked = found.options()
+        if any(field.name == "backends" for field in fields(asked)):
+            options = {"backends": self.backends, **options}
+        for outcome in found.run(facade, replace(asked, **options)):
+            if not isinstance(outcome, Outcome):
+                raise Misbehaviour(found, f"yields {outcome!r}, and no Outcome")
+            yield outcome
+
+    @cached_property
+    def backends(self) -> tuple[Backend, ...]:
+        """The solvers of quadratic programs, in the order in which they are asked."""
+        known = self.host.backends
+        if self.backend is None:
+            return tuple(known.values())
+        first = known.find(self.backend)
+        return (first, *(other for other in known.values() if other is not first))
 
     def write(self, path: Path, data: bytes) -> None:
         """Write a file whole or not at all, its folder made if missing.

@@ -28,9 +28,14 @@ def diagnosed(error: Exception, commands: Sequence[str]) -> Diagnostic:
     return Diagnostic(
         "LK701",
         _message(error),
-        hint=_suggestion(error, commands) or f"`{command} --help` tells how it is used",
+        hint=_suggestion(error, _known(context) or commands) or f"`{command} --help` tells how it is used",
         topic="usage",
     )
+
+
+def _known(context: object) -> Sequence[str]:
+    """Return the commands below the one that was called, if it has some."""
+    return tuple(getattr(getattr(context, "command", None), "commands", ()))
 
 
 def _message(error: Exception) -> str:

@@ -9,9 +9,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from layoutkit.constraints.attributes import CONTEXT, ENCLOSING, REGIONS, attribute, choices
+from layoutkit.constraints.claims import Claim, Even, Frame, InLine, Relates
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.contexts import Context, parents_of
 from layoutkit.constraints.references import unknown_names, unknown_path
+from layoutkit.constraints.stems import base_of, parent_of, placing, shared, stem
 from layoutkit.constraints.view import LayoutView
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, PlacedRegion, RegionSet, Violation, Word
@@ -19,6 +21,7 @@ from layoutkit.sizing.arrangement import Arrangement, Slot
 from layoutkit.sizing.rules import Aligned, SizeRule
 
 Interval = tuple[float, float]
+Stem = tuple[str, ...]
 
 #: Each line's axis, and its share of the extent in reading direction: right, or down.
 LINES: Mapping[str, tuple[int, float]] = {
@@ -29,6 +32,15 @@ LINES: Mapping[str, tuple[int, float]] = {
     "middle": (1, 0.5),
     "bottom": (1, 1.0),
 }
+
+
+@dataclass(frozen=True, slots=True)
+class _Apart:
+    """Why two regions may be out of line: the sizes, and the words, on which it hangs."""
+
+    frames: frozenset[Frame]
+    ordered: tuple[str, ...]
+    even: Even | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,6 +96,53 @@ class Alignment(Constraint):
                 "write one alignment for left, center, right and one for top, middle, bottom",
                 topic="alignment",
             )
+
+    def claims(self, facade: Facade) -> Iterator[Claim]:
+        """Yield what is in line, where nothing is said of what stands beside the regions."""
+        if not any(context.stated for _, context in self._sides):
+            sides = [facade.select(regions) for regions, _ in self._sides]
+            shares = tuple(LINES[line][1] for line in self.lines)
+            yield InLine(self.axis, sides[0], sides[1], shares, self.within)
+
+    def relations(self, facade: Facade) -> Iterator[Relates]:
+        """Yield all pairs together that may be out of line.
+
+        A region's place along an axis is that of the last region of its stem. Two stems that are equal stand
+        in the same place, or apart. Where they part at two children of one region, they stand apart. So only
+        those remain that part in different regions, which then span the same extent, or which end where the
+        other goes on; there the order of letters matters on the way from there.
+        """
+        first, second = (
+            {stem(facade, path, self.axis): path for path in facade.select(regions)}
+            for regions, _ in self._sides
+        )
+        found = (self._apart(one, other, facade) for one in first.items() for other in second.items())
+        pairs = [pair for pair in found if pair is not None]
+        if not pairs:
+            return
+        frames = frozenset().union(*(pair.frames for pair in pairs))
+        ordered = dict.fromkeys(path for pair in pairs for path in pair.ordered)
+        evens = tuple(dict.fromkeys(pair.even for pair in pairs if pair.ordered))
+        if any(context.stated for _, context in self._sides):
+            asked = (path for regions, _ in self._sides for path in facade.select(regions))
+            ordered |= dict.fromkeys(parents_of(tuple(asked)))
+            evens = (None,)
+        paths = frozenset((self.within,) if self.within else ())
+        yield Relates(frames, ordered=tuple(ordered), evens=evens, paths=paths, apart=True)
+
+    def _apart(self, one: tuple[Stem, str], other: tuple[Stem, str], facade: Facade) -> _Apart | None:
+        """Return on what it hangs whether two regions are out of line; None if they never are."""
+        (own, first), (others, second) = one, other
+        base = base_of(facade, first, self.axis) == base_of(facade, second, self.axis)
+        common = shared(own, others) if base else 0
+        ways = own[common:], others[common:]
+        heads = tuple(parent_of(way[0]) for way in ways if way)
+        if base and (not heads or (len(heads) == 2 and heads[0] == heads[1])):
+            return None
+        frames = {(path, self.axis) for path in (first, second)} | placing((*own, *others), self.axis, facade)
+        ordered = tuple(dict.fromkeys(parent_of(path) for way in ways for path in way))
+        even = Even((heads[0], heads[1]), ordered) if base and len(heads) == 2 else None
+        return _Apart(frozenset(frames), ordered, even)
 
     def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
         """Yield both sets together."""

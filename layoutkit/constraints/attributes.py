@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
-from dataclasses import MISSING, Field, dataclass, field, fields
+from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from typing import Any
 
 from layoutkit.model import Extent, Measure, RegionSet, Word
@@ -31,6 +31,8 @@ class AttributeType:
         The words allowed, where they are few.
     many
         Whether several of the choices may stand together, separated by spaces.
+    counts
+        Whether a measure is a number of regions, and no size.
     """
 
     name: str
@@ -39,6 +41,7 @@ class AttributeType:
     pattern: str = ""
     choices: tuple[str, ...] = ()
     many: bool = False
+    counts: bool = False
 
 
 def choice(name: str, *words: str) -> AttributeType:
@@ -131,6 +134,8 @@ def _paired(pairs: tuple[tuple[str, str], ...]) -> str:
 
 
 MEASURE = AttributeType("measure", Measure.parse, pattern=r"\s*[0-9.]+([eE][+\-]?[0-9]+)?\s*%?\s*")
+#: A measure that is a number of regions, absolute or as a share of the input's.
+NUMBER = replace(MEASURE, counts=True)
 COUNT = AttributeType("count", _count, pattern=r"[0-9]+")
 REGIONS = AttributeType("regions", RegionSet.parse)
 #: A set in the context of the attribute `within`, whose direct subregions its single symbols mean.
@@ -147,9 +152,15 @@ ENCLOSING = AttributeType("enclosing path", _path)
 PATHS = AttributeType("paths", _paths, " ".join)
 
 
-def attribute(kind: AttributeType, help: str, default: Any = MISSING) -> Any:
-    """Declare a constraint's attribute: a dataclass field that knows its type and what to say of it."""
-    metadata = {"type": kind, "help": help}
+def attribute(kind: AttributeType, help: str, default: Any = MISSING, *, demands: bool = True) -> Any:
+    """Declare a constraint's attribute: a dataclass field that knows its type and what to say of it.
+
+    Parameters
+    ----------
+    demands
+        Whether it says what layouts must keep, and not only how variations begin.
+    """
+    metadata = {"type": kind, "help": help, "demands": demands}
     if default is MISSING:
         return field(metadata=metadata)
     return field(default=default, metadata=metadata)
@@ -165,6 +176,7 @@ class Attribute:
     help: str
     required: bool
     default: Any
+    demands: bool = True
 
 
 def attributes_of(kind: type[Any]) -> tuple[Attribute, ...]:
@@ -181,4 +193,5 @@ def _attribute(declared: Field[Any]) -> Attribute:
         declared.metadata["help"],
         required,
         None if required else declared.default,
+        declared.metadata["demands"],
     )

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import dataclass
 
+from layoutkit.constraints.answers import violations_of
 from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.instances import varied
 from layoutkit.constraints.view import LayoutView, alike
+from layoutkit.diagnostics import Diagnostic
+from layoutkit.diagnostics.blame import ANYTHING, diagnosed
 from layoutkit.model import Box, Facade, Layout, PlacedRegion, Region, Violation, place
 from layoutkit.model.region import TILING_TOLERANCE, place_children
 
@@ -18,17 +22,43 @@ def violations(layout: Layout, facade: Facade) -> tuple[Violation, ...]:
     broken = [*_tree_faults(view)]
     for constraint in effective_constraints(facade):
         if not constraint.soft:
-            broken += constraint.violations(view)
+            broken += violations_of(constraint, view)
     return tuple(broken)
 
 
-def unkept(layout: Layout, facade: Facade) -> tuple[Violation, ...]:
-    """Return where the layout does not keep a soft constraint, in document order.
+@dataclass(frozen=True)
+class Checked:
+    """All that there is to say of a layout.
 
-    That is no fault: the constraint may be one that cannot be kept together with weightier ones.
+    Attributes
+    ----------
+    broken
+        Every rule and hard constraint that it breaks, the rules of all layouts first.
+    unkept
+        Where it does not keep a soft constraint. That is no fault: the constraint may be one that cannot be
+        kept together with weightier ones.
+    failed
+        What is wrong with constraint kinds that could not check it.
     """
+
+    broken: tuple[Violation, ...]
+    unkept: tuple[Violation, ...]
+    failed: tuple[Diagnostic, ...]
+
+
+def checked(layout: Layout, facade: Facade) -> Checked:
+    """Check a layout, and go on where a plugin's constraint fails to."""
     view = LayoutView(layout, facade)
-    return tuple(v for c in effective_constraints(facade) if c.soft for v in c.violations(view))
+    broken, unkept, failed = [*_tree_faults(view)], list[Violation](), list[Diagnostic]()
+    for constraint in effective_constraints(facade):
+        try:
+            found = tuple(violations_of(constraint, view))
+        except ANYTHING as error:  # whatever a plugin raises is laid at its door
+            what = f"the constraint kind {constraint.qualified_name()!r}"
+            failed.append(diagnosed(error, type(constraint), what, constraint.place))
+        else:
+            (unkept if constraint.soft else broken).extend(found)
+    return Checked(tuple(broken), tuple(unkept), tuple(failed))
 
 
 def _tree_faults(view: LayoutView) -> Iterator[Violation]:

@@ -25,6 +25,11 @@ class Context:
     before: Word | None
     after: Word | None
 
+    @property
+    def stated(self) -> bool:
+        """Whether anything is said of what stands beside."""
+        return self != ANYWHERE
+
     def faults(self, constraint: Constraint, parents: Iterable[str], facade: Facade) -> Iterator[Diagnostic]:
         """Yield names that no child of the parents goes by, and ends on the wrong side."""
         parents = tuple(dict.fromkeys(parents))
@@ -50,7 +55,7 @@ class Context:
     def slots(self, arrangement: Arrangement, path: str, axis: int) -> tuple[Slot, ...]:
         """Return the places of a region along an axis that stand in the context; the root is in none."""
         found = arrangement.slots(path, axis)
-        if self == ANYWHERE or not found:
+        if not self.stated or not found:
             return found
         parent, _, symbol = path.rpartition("/")
         if not parent:

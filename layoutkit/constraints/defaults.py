@@ -7,8 +7,9 @@ from collections.abc import Sequence as ListOf
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
+from layoutkit.constraints.claims import permitted, sized, varying
 from layoutkit.constraints.constraint import Constraint
-from layoutkit.constraints.expansion import expanded, sequences_of
+from layoutkit.constraints.expansion import expanded
 from layoutkit.constraints.instances import Instances
 from layoutkit.constraints.size import Size, axis_of
 from layoutkit.constraints.view import LayoutView
@@ -72,9 +73,9 @@ def default_sizes(facade: Facade) -> tuple[Size, ...]:
     bay of rows in a floor of columns. A floor's height, on the other hand, comes from what is inside: it is
     only drawn weakly to its input size. A building's faces have the sizes that its mass gives them.
     """
-    sizes = [c for c in facade.constraints if isinstance(c, Size)]
-    hard = {path for c in sizes if not c.soft for path in facade.select(c.of)}
-    soft = {path for c in sizes if c.soft for path in facade.select(c.of)}
+    hard, soft = set[str](), set[str]()
+    for constraint in facade.constraints:
+        (soft if constraint.soft else hard).update(claim.path for claim in sized(constraint, facade))
 
     def default(path: str, region: Region) -> Size:
         return _FREE if path in soft or divided(region, axis_of(facade, path)) else _UNDIVIDED
@@ -95,7 +96,7 @@ def divided(region: Region, axis: int) -> bool:
 
 def default_words(facade: Facade) -> tuple[InputWord, ...]:
     """Return what keeps the words of the composite regions that no sequence speaks of."""
-    spoken = sequences_of(facade)
+    spoken = {path for constraint in expanded(facade) for path in permitted(constraint, facade)}
     return tuple(
         InputWord(path=path) for path, region in facade.regions.items() if region.split and path not in spoken
     )
@@ -106,9 +107,8 @@ def default_instances(facade: Facade) -> tuple[Instances, ...]:
 
     A range that cannot be kept does not turn the region's occurrences into replicas.
     """
-    spoken = [c for c in facade.constraints if isinstance(c, Instances)]
-    hard = {path for c in spoken if not c.soft for path in c.paths(facade)}
-    soft = dict.fromkeys(path for c in spoken if c.soft for path in c.paths(facade))
+    hard = {path for c in facade.constraints if not c.soft for path in varying(c, facade)}
+    soft = dict.fromkeys(path for c in facade.constraints if c.soft for path in varying(c, facade))
     return tuple(Instances(of=RegionSet(path)) for path in soft if path not in hard)
 
 

@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from layoutkit.constraints.answers import faults_of
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.expansion import expanded
 from layoutkit.constraints.renaming import confined, joins, lifted, spread
 from layoutkit.diagnostics import Diagnostic, Severity
+from layoutkit.diagnostics.blame import ANYTHING, diagnosed
 from layoutkit.model import Building, Facade, Mass, Region
 
 
@@ -58,7 +60,7 @@ def dressing_faults(facade: Facade, mass: Mass) -> Iterator[Diagnostic]:
             yield _idle(constraint)
         try:
             carried[number] = tuple(_carried(constraint, facade, mass))
-        except Exception as error:  # whatever a plugin raises is laid at its door
+        except ANYTHING as error:  # whatever a plugin raises is laid at its door
             yield _failed(constraint, error)
     bare = dressed(replace(facade, constraints=()), mass)
     whole = replace(bare, constraints=tuple(copy for copies in carried.values() for copy in copies))
@@ -81,7 +83,8 @@ def _carried(constraint: Constraint, facade: Facade, mass: Mass) -> Iterator[Con
 def _idle(constraint: Constraint) -> Diagnostic:
     return Diagnostic(
         "LK804",
-        f"{constraint.kind} speaks of one region at a time: across faces it says no more than within each",
+        f"{constraint.qualified_name()} speaks of one region at a time: "
+        "across faces it says no more than within each",
         constraint.place,
         'delete scope="building"',
         Severity.WARNING,
@@ -95,21 +98,20 @@ def _lost(constraint: Constraint, copies: Iterable[Constraint], whole: Facade) -
     Attributes of a plugin's own types may name regions as well, and nothing here knows how to rename those.
     """
     try:
-        found = [fault for copy in copies for fault in copy.faults(whole)]
-    except Exception as error:  # whatever a plugin raises is laid at its door
+        found = [fault for copy in copies for fault in faults_of(copy, whole)]
+    except ANYTHING as error:  # whatever a plugin raises is laid at its door
         yield _failed(constraint, error)
         return
     if faults := [fault.message for fault in found if fault.severity is Severity.ERROR]:
         yield Diagnostic(
             "LK805",
-            f"{constraint.kind} cannot be carried to the faces of a building: {faults[0]}",
+            f"{constraint.qualified_name()} cannot be carried to the faces of a building: {faults[0]}",
             constraint.place,
             "regions are renamed in attributes of the types that layoutkit declares, in those of no others",
             topic="mass",
         )
 
 
-def _failed(constraint: Constraint, error: Exception) -> Diagnostic:
-    message = f"the constraint kind {constraint.kind!r} failed: {type(error).__name__}: {error}"
-    hint = "report it to the plugin's author"
-    return Diagnostic("LK407", message, constraint.place, hint, topic="plugin")
+def _failed(constraint: Constraint, error: BaseException) -> Diagnostic:
+    what = f"the constraint kind {constraint.qualified_name()!r}"
+    return diagnosed(error, type(constraint), what, constraint.place)

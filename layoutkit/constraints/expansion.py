@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping
 from itertools import groupby
+from typing import TypeVar
 
+from layoutkit.constraints.claims import permitted
 from layoutkit.constraints.constraint import Constraint
-from layoutkit.constraints.generated import Generator, Given
+from layoutkit.constraints.generator import Generator, Given
 from layoutkit.constraints.sequence import Sequence
 from layoutkit.diagnostics import Faulty
 from layoutkit.model import Facade, Word
+
+Kind = TypeVar("Kind", bound=Constraint)
 
 
 def expanded(facade: Facade) -> tuple[Constraint, ...]:
@@ -36,17 +40,23 @@ def as_written(facade: Facade, constraint: Constraint) -> Constraint:
     return origins.get(id(constraint), constraint)
 
 
+def together(facade: Facade, kind: type[Kind]) -> Mapping[str, tuple[Kind, ...]]:
+    """Return the constraints of a kind by the regions whose arrangements they permit together."""
+    key = ("together", kind)
+    if key not in facade.memory:
+        found: defaultdict[str, list[Kind]] = defaultdict(list)
+        for constraint in expanded(facade):
+            if isinstance(constraint, kind):
+                for path in permitted(constraint, facade):
+                    found[path].append(constraint)
+        facade.memory[key] = {path: tuple(own) for path, own in found.items()}
+    known: Mapping[str, tuple[Kind, ...]] = facade.memory[key]
+    return known
+
+
 def sequences_of(facade: Facade) -> Mapping[str, tuple[Sequence, ...]]:
     """Return the sequences of each region that has some, by its path, those of generators among them."""
-    if "sequences" not in facade.memory:
-        found: defaultdict[str, list[Sequence]] = defaultdict(list)
-        for constraint in expanded(facade):
-            if isinstance(constraint, Sequence):
-                for path in constraint.within:
-                    found[path].append(constraint)
-        facade.memory["sequences"] = {path: tuple(own) for path, own in found.items()}
-    known: Mapping[str, tuple[Sequence, ...]] = facade.memory["sequences"]
-    return known
+    return together(facade, Sequence)
 
 
 def given_sequences(facade: Facade) -> Given:

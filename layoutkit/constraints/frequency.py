@@ -8,7 +8,8 @@ from collections.abc import Sequence as ListOf
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.constraints.attributes import ENCLOSING, MEASURE, MEMBERS, attribute
+from layoutkit.constraints.attributes import ENCLOSING, MEMBERS, NUMBER, attribute
+from layoutkit.constraints.claims import Claim, Counted, Relates
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.instances import original
 from layoutkit.constraints.references import unknown_composite, unknown_names
@@ -36,9 +37,9 @@ class Frequency(Constraint):
     of: RegionSet = attribute(MEMBERS, "The regions that count: symbols of direct subregions, and @labels.")
     within: str = attribute(ENCLOSING, "Path of the encompassing region.")
     min: Measure | None = attribute(
-        MEASURE, "Least count; a percentage is of the input's count, and grows with the region's size.", None
+        NUMBER, "Least count; a percentage is of the input's count, and grows with the region's size.", None
     )
-    max: Measure | None = attribute(MEASURE, "Greatest count, in the same way.", None)
+    max: Measure | None = attribute(NUMBER, "Greatest count, in the same way.", None)
 
     def faults(self, facade: Facade) -> Iterator[Diagnostic]:
         """Yield unknown names, and ranges with nothing in them."""
@@ -78,6 +79,19 @@ class Frequency(Constraint):
             for end, default in ((self.min, 0.0), (self.max, math.inf))
         )
         return least, most
+
+    def claims(self, facade: Facade) -> Iterator[Claim]:
+        """Yield that its rules on sizes say what its counts do."""
+        yield Counted()
+
+    def relations(self, facade: Facade) -> tuple[Relates, ...]:
+        """Return nothing: what sizes hang on is told by the counts."""
+        return ()
+
+    @property
+    def idle(self) -> bool:
+        """Whether it has neither end."""
+        return self.min is None and self.max is None
 
     @classmethod
     def word_rules(cls, constraints: ListOf[Self], facade: Facade) -> Iterator[WordRule]:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from collections.abc import Sequence as ListOf
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.constraints.attributes import MEASURE, REGIONS, attribute
+from layoutkit.constraints.attributes import NUMBER, REGIONS, attribute
+from layoutkit.constraints.claims import Claim, Relates, Varies, varying
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.references import unknown_names
 from layoutkit.constraints.view import LayoutView, alike
@@ -37,13 +38,13 @@ class Instances(Constraint):
 
     of: RegionSet = attribute(REGIONS, "The regions, as paths and @labels.")
     min: Measure | None = attribute(
-        MEASURE,
+        NUMBER,
         "Least number of different ones; a percentage is of the region's number of occurrences in the "
         "input's parent, and grows with the parent's size.",
         None,
     )
     max: Measure | None = attribute(
-        MEASURE,
+        NUMBER,
         "Greatest number, in the same way, but never below 1; left out, each may be laid out by itself.",
         None,
     )
@@ -92,6 +93,27 @@ class Instances(Constraint):
             for end, default in ((self.min, 0.0), (self.max, math.inf))
         )
         return least, most
+
+    def claims(self, facade: Facade) -> Iterator[Claim]:
+        """Yield the regions that may vary."""
+        yield from (Varies(path) for path in self.paths(facade))
+
+    def relations(self, facade: Facade) -> Iterator[Relates]:
+        """Yield the parents whose sizes a relative range hangs on, with the instances that words name."""
+        if not any(end is not None and end.relative for end in (self.min, self.max)):
+            return
+        parents = tuple({path.rpartition("/")[0]: None for path in self.paths(facade)})
+        frames = frozenset((path, AXIS[facade.regions[path].split or "columns"]) for path in parents)
+        yield Relates(frames, words=parents)
+
+    def parts(self, facade: Facade) -> Mapping[str, Constraint]:
+        """Return the range of each region."""
+        return {path: replace(self, of=RegionSet(path)) for path in facade.select(self.of)}
+
+    @property
+    def idle(self) -> bool:
+        """Whether it has neither end."""
+        return self.min is None and self.max is None
 
     @classmethod
     def word_rules(cls, constraints: ListOf[Self], facade: Facade) -> Iterator[WordRule]:
@@ -155,7 +177,7 @@ def varied(facade: Facade) -> frozenset[str]:
     """Return the symbol paths whose occurrences within a parent need not be replicas."""
     key = "instances"
     if key not in facade.memory:
-        spoken = (c.paths(facade) for c in facade.constraints if isinstance(c, Instances))
+        spoken = (varying(constraint, facade) for constraint in facade.constraints)
         facade.memory[key] = frozenset(path for paths in spoken for path in paths)
     found: frozenset[str] = facade.memory[key]
     return found

@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING, ClassVar
 from layoutkit.constraints.alignment import LINES
 from layoutkit.constraints.anchoring import decided, frame_of, input_offsets, successive
 from layoutkit.constraints.attributes import REGIONS, attribute, choices
+from layoutkit.constraints.claims import Relates
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.instances import original
 from layoutkit.constraints.references import unknown_names
+from layoutkit.constraints.stems import ancestors, placing, stem
 from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Admits, Bound, Counts, Exactly, WordRule
 from layoutkit.diagnostics import Diagnostic
@@ -109,6 +111,24 @@ class Lock(Constraint):
             for path, copies in constraint.placed(facade).items():
                 number = Bound(float(len(facade.places[path])), False)
                 yield Counts(frame_of(facade, path), frozenset(copies), number, number, (constraint,))
+
+    def relations(self, facade: Facade) -> Iterator[Relates]:
+        """Yield sizes, and shares of what is inside, one by one; but all in one where places are kept."""
+        sizes = facade.select(self.of) if "size" in self.keep else ()
+        frames = [frozenset(((path, 0), (path, 1))) for path in sizes]
+        for path, region in self.kept_inside(facade).items():
+            children = {f"{path}/{symbol}" for symbol in region.word}
+            axis = AXIS[region.split or "columns"]
+            frames.append(frozenset((own, axis) for own in (path, *children)))
+        placed = [path for copies in self.placed(facade).values() for path in copies]
+        if not placed:
+            yield from (Relates(own, whole=False) for own in frames)
+            return
+        anchored = [placing(stem(facade, path, axis), axis, facade) for path in placed for axis in (0, 1)]
+        spans = {(path, axis) for path in placed for axis in (0, 1)}
+        around = dict.fromkeys(above for path in placed for above in ancestors(path))
+        everything = frozenset().union(*frames, *anchored, spans)
+        yield Relates(everything, ordered=tuple(around), paths=frozenset(placed))
 
     def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
         """Yield each region by itself: its place depends on all words around it."""

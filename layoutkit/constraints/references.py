@@ -39,7 +39,7 @@ def unknown_composite(constraint: Constraint, path: str, facade: Facade) -> Iter
     if path in facade.regions and facade.regions[path].terminal:
         yield Diagnostic(
             "LK205",
-            f"{constraint.kind} speaks of the arrangement of {path}, which is a terminal",
+            f"{constraint.qualified_name()} speaks of the arrangement of {path}, which is a terminal",
             constraint.place,
             "name a region that has a split",
             topic="reference",
@@ -81,7 +81,7 @@ def unknown_neighbours(
 def _unknown(constraint: Constraint, what: str, name: str, known: Iterable[str]) -> Diagnostic:
     return Diagnostic(
         "LK201",
-        f"{constraint.kind} names the {what} {name!r}, which is not there",
+        f"{constraint.qualified_name()} names the {what} {name!r}, which is not there",
         constraint.place,
         did_you_mean(name, known),
         topic="reference",

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from layoutkit.constraints.attributes import CONTEXT, ENCLOSING, EXTENT, attribute, choice
+from layoutkit.constraints.claims import Claim, EquallyLarge, Frame, Relates
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.contexts import Context, parents_of, without_extent
 from layoutkit.constraints.references import unknown_composite, unknown_in_word, unknown_names, unknown_path
@@ -91,6 +92,30 @@ class SameSize(Constraint):
                 "exchange width and height, or name a region instead of a run",
                 topic="sizing",
             )
+
+    def claims(self, facade: Facade) -> Iterator[Claim]:
+        """Yield that all extents are equally large, where nothing is said of what stands beside them."""
+        if not any(context.stated for context in self._contexts):
+            yield EquallyLarge(self.axis, self._extents, self.within)
+
+    def relations(self, facade: Facade) -> Iterator[Relates]:
+        """Yield all extents together: which of them there are hangs on which regions occur, if on no more.
+
+        Where there is a run, or a context, the order of letters says which they are.
+        """
+        frames: set[Frame] = set()
+        ordered: list[str] = []
+        for extent, context in zip(self._extents, self._contexts, strict=False):
+            parents = _parents(extent, facade)
+            if extent.regions is not None:
+                frames |= {(path, self.axis) for path in facade.select(extent.regions)}
+            else:
+                inside = (f"{path}/{c.symbol}" for path in parents for c in facade.regions[path].children)
+                frames |= {(path, self.axis) for path in inside}
+            if extent.regions is None or context.stated:
+                ordered += parents
+        paths = frozenset((self.within,) if self.within else ())
+        yield Relates(frozenset(frames), ordered=tuple(dict.fromkeys(ordered)), paths=paths)
 
     def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
         """Yield all regions of both extents together."""

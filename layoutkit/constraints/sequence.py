@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from collections.abc import Sequence as ListOf
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.attributes import PATHS, WEIGHT, WORD, attribute
+from layoutkit.constraints.claims import Claim, Permits
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.covering import Covering, Piece
 from layoutkit.constraints.references import unknown_composite, unknown_in_word
@@ -61,6 +62,14 @@ class Sequence(Constraint):
             if not unknown:
                 yield from unknown_in_word(self, self.word, path, facade)
 
+    def claims(self, facade: Facade) -> Iterator[Claim]:
+        """Yield the regions whose arrangements it permits."""
+        yield from (Permits(path) for path in self.within)
+
+    def parts(self, facade: Facade) -> Mapping[str, Constraint]:
+        """Return the sequence in each region."""
+        return {path: replace(self, within=(path,)) for path in self.within}
+
     def piece(self, region: Region) -> Piece:
         """Return the sequence as sets of symbols of the region's children."""
         names = {c.symbol: frozenset({c.symbol, *(f"@{n}" for n in c.labels)}) for c in region.children}
@@ -82,10 +91,10 @@ class Sequence(Constraint):
     def violations(self, view: LayoutView) -> Iterator[Violation]:
         """Yield every arrangement that no chain of the region's sequences covers; the first one reports."""
         # Expansion makes sequences of generators, and so looks at this module.
-        from layoutkit.constraints.expansion import as_written, sequences_of
+        from layoutkit.constraints.expansion import as_written, together
 
         for path in self.within:
-            own = sequences_of(view.facade).get(path, ())
+            own = together(view.facade, type(self)).get(path, ())
             if not own or own[0] is not self:
                 continue
             pieces = [c.piece(view.facade.regions[path]) for c in own]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from layoutkit.constraints.attributes import BIAS, MEASURE, REGIONS, attribute, choice
+from layoutkit.constraints.claims import Claim, Relates, Sized
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.references import unknown_names
 from layoutkit.constraints.view import LayoutView
@@ -15,6 +16,9 @@ from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Facade, Measure, RegionSet, Violation
 from layoutkit.sizing.arrangement import AXIS, Arrangement
 from layoutkit.sizing.rules import Range, SizeRule, Target
+
+if TYPE_CHECKING:
+    from typing import Self
 
 #: No region gets smaller than this share of its input size.
 LEAST_SHARE = 1e-3
@@ -37,19 +41,25 @@ class Size(Constraint):
         MEASURE,
         "Mean of normal initial sizes, the likeliest of triangular ones.",
         Measure(1.0, relative=True),
+        demands=False,
     )
     deviation: Measure = attribute(
         MEASURE,
         "Standard deviation of normal initial sizes; 0 always starts from the centre.",
         Measure(0.05, True),
+        demands=False,
     )
     distribution: str = attribute(
         choice("distribution", "normal", "uniform", "triangular"),
         "Of the initial sizes: normal, truncated to the range; uniform or triangular from min to max.",
         "normal",
+        demands=False,
     )
     bias: float = attribute(
-        BIAS, "Moves the centre towards min (below 0, down to -1) or max (above 0, up to 1).", 0.0
+        BIAS,
+        "Moves the centre towards min (below 0, down to -1) or max (above 0, up to 1).",
+        0.0,
+        demands=False,
     )
 
     def faults(self, facade: Facade) -> Iterator[Diagnostic]:
@@ -109,6 +119,30 @@ class Size(Constraint):
         centre = min(max(centre, least), most)
         spans = (centre - least) ** 2 + (most - centre) ** 2 + (most - least) ** 2
         return centre, math.sqrt(spans / 36)
+
+    def claims(self, facade: Facade) -> Iterator[Claim]:
+        """Yield the size of each region."""
+        for path, _, (least, most), (centre, deviation) in self._measures(facade):
+            yield Sized(path, least, most, centre, deviation)
+
+    def relations(self, facade: Facade) -> tuple[Relates, ...]:
+        """Return nothing: a region's own range relates it to no other."""
+        return ()
+
+    def parts(self, facade: Facade) -> Mapping[str, Constraint]:
+        """Return the size of each region."""
+        return {path: replace(self, of=RegionSet(path)) for path in facade.select(self.of)}
+
+    def altered(self, **values: Any) -> Self:
+        """Return another size: without an end, other distributions than the normal have nowhere to run."""
+        if None in (values.get("min", self), values.get("max", self)):
+            values = {"distribution": "normal", "bias": 0.0, **values}
+        return replace(self, **values)
+
+    @property
+    def idle(self) -> bool:
+        """Whether it has neither end."""
+        return self.min is None and self.max is None
 
     def size_rules(self, arrangement: Arrangement) -> Iterator[SizeRule]:
         """Yield a range and a target for each symbol: its occurrences are replicas."""

@@ -9,7 +9,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.attributes import PAIRS, PATHS, attribute
+from layoutkit.constraints.claims import Relates
 from layoutkit.constraints.constraint import Constraint
+from layoutkit.constraints.instances import original
 from layoutkit.constraints.references import unknown_composite, unknown_symbols
 from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import Mirrored, WordRule
@@ -67,6 +69,20 @@ class Symmetry(Constraint):
                 yield Mirrored(
                     path, {a: (b,) for a, b in constraint.partners(facade, path).items()}, (constraint,)
                 )
+
+    def relations(self, facade: Facade) -> Iterator[Relates]:
+        """Yield the children of each region with pairs: in a word that mirrors itself, both occur, or none.
+
+        Where one instance of a region may mirror another, the order says which ones do.
+        """
+        for path in self.of:
+            region = facade.regions[path]
+            axis = AXIS[region.split or "columns"]
+            children = [f"{path}/{symbol}" for symbol in dict.fromkeys(c.symbol for c in region.children)]
+            instances = any(original(child) != child for child in children)
+            if self.pairs or instances:
+                ordered = (path,) if instances else ()
+                yield Relates(frozenset((child, axis) for child in children), ordered=ordered, whole=False)
 
     def ties(self, facade: Facade) -> Iterator[tuple[int, tuple[str, ...]]]:
         """Yield the pairs of each region."""

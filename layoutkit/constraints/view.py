@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
 from functools import cached_property
 
 from layoutkit.model import Box, Facade, Layout, PlacedRegion, Region, Word, place
@@ -24,6 +25,12 @@ class LayoutView:
     def __init__(self, layout: Layout, facade: Facade) -> None:
         self.layout, self.facade = layout, facade
         self.tolerance = CONSTRAINT_TOLERANCE * max(layout.root.width, layout.root.height)
+
+    def under(self, facade: Facade) -> LayoutView:
+        """Return the same layout as it looks under other constraints on the same regions."""
+        view = copy(self)
+        view.facade = facade
+        return view
 
     @cached_property
     def _places(self) -> dict[str, list[PlacedRegion]]:

@@ -5,7 +5,8 @@ from layoutkit.documents.files import load, save
 from layoutkit.documents.grammar import NAMESPACE
 from layoutkit.documents.insertion import with_constraints
 from layoutkit.documents.masses import MassDocument, is_mass, read_mass
-from layoutkit.documents.schema import schema
+from layoutkit.documents.schema import schema, schemas
+from layoutkit.documents.source import Source
 from layoutkit.documents.validation import check
 from layoutkit.documents.writing import facade_bytes, layout_bytes, mass_bytes
 
@@ -13,6 +14,7 @@ __all__ = [
     "NAMESPACE",
     "Document",
     "MassDocument",
+    "Source",
     "check",
     "facade_bytes",
     "is_mass",
@@ -23,5 +25,6 @@ __all__ = [
     "read_mass",
     "save",
     "schema",
+    "schemas",
     "with_constraints",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -9,19 +10,21 @@ from typing import Any
 from layoutkit.constraints import Constraint
 from layoutkit.constraints.dressing import dressed, dressing_faults
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean, worst
-from layoutkit.documents.files import load
+from layoutkit.documents.facade_regions import FacadeReader
 from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, MASS, NAMESPACE, PICTURE
 from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
+from layoutkit.documents.makers import Maker, Numbers, Regions
 from layoutkit.documents.masses import mass_of
 from layoutkit.documents.reading import Reading, in_order
-from layoutkit.documents.regions import RegionReader
-from layoutkit.documents.tree import Element, parse
+from layoutkit.documents.source import Source
+from layoutkit.documents.streaming import LAYOUT_PARTS, Making, Streamed, stream
+from layoutkit.documents.tree import Element
 from layoutkit.model import Facade, Layout, Mass, Picture, Region
 from layoutkit.model.region import TILING_TOLERANCE
 
-#: What may stand in a facade, and in a layout, in this order.
+#: What may stand in a facade, in this order.
 _FACADE_PARTS = ("picture", "region", "constraints")
-_LAYOUT_PARTS = ("picture", "mass", "region")
+_NO_TREE = Region("", math.nan, math.nan)
 
 
 @dataclass(frozen=True)
@@ -45,12 +48,23 @@ class Document:
 
 @dataclass(frozen=True)
 class Opened:
-    """A document as far as it could be read, with every fault, and its root for the places of things."""
+    """A document as far as it could be read, with every fault.
+
+    Attributes
+    ----------
+    root
+        Its elements, for the places of things; of the regions of a layout, the root alone.
+    """
 
     model: Facade | Layout
     root: Element
     diagnostics: tuple[Diagnostic, ...]
-    source: bytes
+    source: Source
+
+
+def model_of(layout: Element, root: Element) -> Maker[Region]:
+    """Make the model of a layout's regions."""
+    return Regions()
 
 
 def read(path: Path | str, kinds: Kinds) -> Document:
@@ -69,27 +83,35 @@ def read(path: Path | str, kinds: Kinds) -> Document:
     Faulty
         If the document, or the facade that it names, has errors; all of them are in it.
     """
-    opened = open_document(Path(path), kinds)
+    source = Source.of(path)
+    opened = open_document(replace(source, data=source.whole()), kinds)
     if worst(opened.diagnostics) is Severity.ERROR:
         raise Faulty(opened.diagnostics)
-    return Document(opened.model, opened.diagnostics, opened.source)
+    return Document(opened.model, opened.diagnostics, opened.source.whole())
 
 
-def open_document(path: Path, kinds: Kinds) -> Opened:
+def open_document(document: Path | Source, kinds: Kinds, making: Making = model_of) -> Opened:
     """Read a document as far as it can be.
+
+    Parameters
+    ----------
+    document
+        A file, or the document's source.
+    making
+        What is to be made of a layout's regions; the layout has none if that is no region.
 
     Raises
     ------
     Faulty
         If it cannot be read at all: no file, no XML, neither a facade nor a layout.
     """
-    source = load(path)
-    root = parse(source, str(path))
-    reading = Reading(root.namespace)
+    source = document if isinstance(document, Source) else Source.of(document)
+    streamed = stream(source, making)
+    root, reading = streamed.root, streamed.reading
     _check_root(root, reading)
     if root.name == FACADE.name:
         return Opened(_facade(root, kinds, reading), root, reading.ordered(), source)
-    layout = _layout(root, reading)
+    layout = _layout(streamed)
     facade = _facade_of(layout, root, kinds, reading)
     return Opened(replace(layout, facade=facade), root, reading.ordered(), source)
 
@@ -112,7 +134,7 @@ def _check_root(root: Element, reading: Reading) -> None:
 def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
     values = reading.values(root, FACADE)
     parts = _parts(root, _FACADE_PARTS, reading)
-    regions = RegionReader(reading)
+    regions = FacadeReader(reading, root.file)
     tree = _tree(parts, root, regions)
     if tree.split == "faces":
         hint = "a facade is one design: `layoutkit vary --mass` puts it on the faces of a mass"
@@ -138,10 +160,13 @@ def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
     return facade
 
 
-def _layout(root: Element, reading: Reading) -> Layout:
+def _layout(streamed: Streamed) -> Layout:
+    root, reading = streamed.root, streamed.reading
     values = reading.values(root, LAYOUT)
-    parts = _parts(root, _LAYOUT_PARTS, reading)
-    tree = _tree(parts, root, RegionReader(reading))
+    parts = _parts(root, LAYOUT_PARTS, reading)
+    if "region" not in parts:
+        _no_region(root, reading)
+    tree = streamed.tree if isinstance(streamed.tree, Region) else _NO_TREE
     return Layout(
         values.get("name") or "",
         values.get("units") or "m",
@@ -164,7 +189,7 @@ def _mass(parts: dict[str, Element], tree: Region, root: Element, reading: Readi
     before = len(reading.diagnostics)
     reading.values(parts["mass"], LAYOUT_MASS)
     mass = mass_of(parts["mass"], reading)
-    sound = worst(reading.diagnostics[before:]) is not Severity.ERROR
+    sound = len(reading.diagnostics) == before
     if sound and (message := _misfit(tree, mass)):
         hint = "make the layout again from its facade and mass"
         reading.fault("LK806", message, parts.get("region", root), hint, topic="layout")
@@ -197,8 +222,7 @@ def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) ->
                 Diagnostic("LK504", message, root.place, severity=Severity.NOTE, topic="layout")
             )
             return None
-        source = load(path)
-        facade_root = parse(source, str(path))
+        facade_root = stream(Source.of(path), lambda layout, root: Numbers()).root
         if facade_root.name == LAYOUT.name:
             reading.fault("LK505", f"{layout.facade_file!r} is no facade, but a layout", root, topic="layout")
             return None
@@ -212,7 +236,7 @@ def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) ->
             reading.diagnostics += error.diagnostics
         return None
     reading.diagnostics += in_order(facade_reading.diagnostics)
-    if layout.mass is None or worst(facade_reading.diagnostics) is Severity.ERROR:
+    if layout.mass is None or facade_reading.diagnostics.erroneous:
         return facade
     faults = [d for d in dressing_faults(facade, layout.mass) if d.severity is Severity.ERROR]
     reading.diagnostics += faults
@@ -236,13 +260,17 @@ def _parts(root: Element, allowed: tuple[str, ...], reading: Reading) -> dict[st
     return found
 
 
-def _tree(parts: dict[str, Element], root: Element, regions: RegionReader) -> Region:
+def _tree(parts: dict[str, Element], root: Element, regions: FacadeReader) -> Region:
     if "region" in parts:
         return regions.root(parts["region"])
-    hint = "the root region is the whole facade, with its width and height"
-    regions.reading.fault("LK107", f"<{root.name}> has no <region>", root, hint)
+    _no_region(root, regions.reading)
     regions.names_known = False
-    return Region("", float("nan"), float("nan"))
+    return _NO_TREE
+
+
+def _no_region(root: Element, reading: Reading) -> None:
+    hint = "the root region is the whole facade, with its width and height"
+    reading.fault("LK107", f"<{root.name}> has no <region>", root, hint)
 
 
 def _picture(parts: dict[str, Element], reading: Reading) -> Picture | None:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, did_you_mean, nearest
 
-#: The largest file that is read, in bytes.
+#: The largest file that is held in memory, in bytes.
 SIZE_LIMIT = 256 * 1024 * 1024
 
 
@@ -26,7 +26,7 @@ def load(path: Path) -> bytes:
             # A stream has no size to ask for, and a file may grow: reading one byte more tells both.
             source = stream.read(SIZE_LIMIT + 1)
     except (OSError, ValueError) as error:  # ValueError: a null character in the name
-        raise Faulty([_unreadable(path, error)]) from error
+        raise Faulty([unreadable(path, error)]) from error
     if len(source) > SIZE_LIMIT:
         message = f"the file is larger than {SIZE_LIMIT // 1024**2} MB"
         raise Faulty([Diagnostic("LK007", message, Place(str(path)), topic="file")])
@@ -62,7 +62,8 @@ def save(path: Path | str, data: bytes) -> None:
         raise Faulty([Diagnostic("LK008", message, Place(str(path)), hint, topic="file")]) from error
 
 
-def _unreadable(path: Path, error: Exception) -> Diagnostic:
+def unreadable(path: Path, error: Exception) -> Diagnostic:
+    """Return the diagnostic of a file that cannot be read (LK001)."""
     message = f"the file cannot be read: {_reason(error)}"
     return Diagnostic("LK001", message, Place(str(path)), _hint(path, error), topic="file")
 

@@ -10,12 +10,13 @@ from functools import lru_cache
 from typing import Any
 
 from layoutkit.constraints.attributes import Attribute, AttributeType, choice
+from layoutkit.constraints.namespace import CORE
 from layoutkit.model.face import Point
 from layoutkit.model.mass import CORNER
 from layoutkit.model.measure import format_number
 from layoutkit.model.selection import SYMBOL
 
-NAMESPACE = "urn:layoutkit:1"
+NAMESPACE = CORE.uri
 #: Points of one footprint: that they do not cross is found by comparing all of its sides.
 POINT_LIMIT = 1000
 

@@ -9,8 +9,11 @@ from math import isfinite
 from typing import Any
 
 from layoutkit.constraints import Constraint
+from layoutkit.constraints.answers import faults_of
 from layoutkit.constraints.attributes import Attribute, AttributeType
-from layoutkit.diagnostics import did_you_mean
+from layoutkit.constraints.namespace import CORE
+from layoutkit.diagnostics import Diagnostic, did_you_mean
+from layoutkit.diagnostics.blame import ANYTHING, diagnosed
 from layoutkit.documents.grammar import CONSTRAINTS, ElementType, element_type
 from layoutkit.documents.reading import Reading
 from layoutkit.documents.tree import Element
@@ -24,12 +27,17 @@ def read_constraints(
 ) -> tuple[tuple[Constraint, Element], ...]:
     """Return the constraints that could be read, each with its element."""
     reading.values(element, CONSTRAINTS)
-    names = kinds.keys() & {child.name for child in element.children}
-    types = {name: _strict(kinds[name]) for name in names}
+    # A document of no namespace, which is at fault for that, means ours.
+    known = {
+        (reading.namespace if k.namespace == CORE else k.namespace.uri, k.kind): k for k in kinds.values()
+    }
+    used = known.keys() & {(child.namespace, child.name) for child in element.children}
+    types = {name: _strict(known[name]) for name in used}
     found = []
     for child in element.children:
-        if child.name in types and child.namespace == reading.namespace:
-            found.append((_constraint(child, kinds[child.name], types[child.name], reading), child))
+        name = child.namespace, child.name
+        if name in types:
+            found.append((_constraint(child, known[name], types[name], reading), child))
         else:
             _unknown(child, element, kinds, reading)
     return tuple((constraint, child) for constraint, child in found if constraint is not None)
@@ -41,10 +49,10 @@ def check_constraints(
     """Record what the constraints have to say against themselves, given the facade."""
     for constraint, element in found:
         try:
-            reading.diagnostics += constraint.faults(facade)
-        except Exception as error:  # whatever a plugin raises is laid at its door
+            reading.diagnostics += faults_of(constraint, facade)
+        except ANYTHING as error:  # whatever a plugin raises is laid at its door
             if all(isfinite(r.width) and isfinite(r.height) for r in facade.regions.values()):
-                reading.plugin_failed(element, error)
+                reading.diagnostics.append(_failed(element, type(constraint), error))
             # Else it stumbles over a size that could not be read, which is reported already.
 
 
@@ -57,26 +65,48 @@ def _constraint(
     element: Element, kind: type[Constraint], known: ElementType, reading: Reading
 ) -> Constraint | None:
     before = len(reading.diagnostics)
-    values = reading.values(element, known)
-    reading.no_children(element)
-    if len(reading.diagnostics) > before:
-        return None
-    fields: dict[str, Any] = {a.field_name: values[a.name] for a in kind.attributes() if a.name in values}
     try:
+        values = reading.values(element, known)
+        reading.no_children(element)
+        if len(reading.diagnostics) > before:
+            return None
+        fields: dict[str, Any] = {a.field_name: values[a.name] for a in kind.attributes() if a.name in values}
         return kind(**fields, place=element.place, comment=element.comment)
     except ValueError as error:
         reading.fault("LK105", f"<{element.name}>: {error}", element, kind.summary)
-    except Exception as error:  # whatever a plugin raises is laid at its door
-        reading.plugin_failed(element, error)
+    except ANYTHING as error:  # whatever a plugin raises is laid at its door
+        reading.diagnostics.append(_failed(element, kind, error))
     return None
 
 
+def _failed(element: Element, kind: type[Constraint], error: BaseException) -> Diagnostic:
+    return diagnosed(error, kind, f"the constraint kind {kind.qualified_name()!r}", element.place)
+
+
 def _unknown(element: Element, parent: Element, kinds: Kinds, reading: Reading) -> None:
-    if element.namespace != reading.namespace:
-        reading.name_of(element, parent, kinds)
+    core = {kind.kind for kind in kinds.values() if kind.namespace == CORE}
+    if element.namespace in (reading.namespace, ""):
+        message = f"there is no constraint kind {element.name!r}"
+        foreign = [k for k in kinds.values() if k.kind == element.name and k.namespace != CORE]
+        hint = _as_foreign(foreign[0]) if foreign else did_you_mean(element.name, core)
+        if element.namespace == reading.namespace or foreign:
+            reading.fault("LK102", message, element, hint)
+        else:
+            reading.name_of(element, parent, core)
         return
-    message = f"there is no constraint kind {element.name!r}"
-    reading.fault("LK102", message, element, did_you_mean(element.name, kinds))
+    own = [kind.kind for kind in kinds.values() if kind.namespace.uri == element.namespace]
+    if own:
+        message = f"the namespace {element.namespace!r} has no constraint kind {element.name!r}"
+        reading.fault("LK102", message, element, did_you_mean(element.name, own))
+        return
+    message = f"no plugin that is loaded has constraints of the namespace {element.namespace!r}"
+    hint = f"install or enable the plugin that <{element.name}> is of, or delete it"
+    reading.fault("LK113", message, element, hint)
+
+
+def _as_foreign(kind: type[Constraint]) -> str:
+    own = kind.namespace
+    return f'write <{kind.qualified_name()} xmlns:{own.prefix}="{own.uri}" ...>'
 
 
 def _strict(kind: type[Constraint]) -> ElementType:

@@ -9,17 +9,14 @@ from pathlib import Path
 from typing import Any
 from xml.parsers import expat
 
-from layoutkit.diagnostics import Diagnostic, Faulty, Severity, worst
-from layoutkit.documents.files import load
+from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.documents.grammar import BOX, FOOTPRINT, MASS, NAMESPACE, ElementType
 from layoutkit.documents.reading import Reading
+from layoutkit.documents.source import Source
 from layoutkit.documents.tree import Element, parse
 from layoutkit.model import Block, Footprint, Mass, Part
 from layoutkit.model.facade import Units
 from layoutkit.model.outline import FARTHEST, SHORTEST, fault
-
-#: As many bytes at a time are looked at for the root element.
-_CHUNK = 1 << 12
 
 
 @dataclass(frozen=True)
@@ -38,27 +35,27 @@ class MassDocument:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def is_mass(path: Path | str) -> bool:
-    """Tell whether a file's root element is a mass; of what is no XML it is none.
+def is_mass(document: Path | str | Source) -> bool:
+    """Tell whether a document's root element is a mass; of what is no XML it is none.
 
     Raises
     ------
     Faulty
         If the file cannot be read.
     """
+    source = document if isinstance(document, Source) else Source.of(document)
     names: list[str] = []
-    parser = expat.ParserCreate(namespace_separator=" ")
+    parser = expat.ParserCreate(source.encoding, namespace_separator=" ")
     parser.StartElementHandler = lambda name, attributes: names.append(name)
-    source = load(Path(path))
     with contextlib.suppress(expat.ExpatError, LookupError, ValueError):  # as the reader will say
-        for start in range(0, len(source), _CHUNK):
-            parser.Parse(source[start : start + _CHUNK], start + _CHUNK >= len(source))
+        for chunk in source.chunks():
+            parser.Parse(chunk, False)
             if names:
                 break
     return bool(names) and names[0].rpartition(" ")[2] == MASS.name
 
 
-def read_mass(path: Path | str) -> MassDocument:
+def read_mass(document: Path | str | Source) -> MassDocument:
     """Read a mass document.
 
     Raises
@@ -66,16 +63,16 @@ def read_mass(path: Path | str) -> MassDocument:
     Faulty
         If it has errors; all of them are in it.
     """
-    root = parse(load(Path(path)), str(path))
+    root = parse(document if isinstance(document, Source) else Source.of(document))
     if root.name != MASS.name or root.namespace not in ("", NAMESPACE):
         hint = "a mass is described by <mass>, which holds boxes and footprints"
         message = f"<{root.name}> is no mass"
         raise Faulty([Diagnostic("LK101", message, root.place, hint, topic="schema")])
     reading = Reading(root.namespace)
-    document = mass_document(root, reading)
-    if worst(reading.diagnostics) is Severity.ERROR:
+    read = mass_document(root, reading)
+    if reading.diagnostics.erroneous:
         raise Faulty(reading.ordered())
-    return document
+    return read
 
 
 def mass_document(root: Element, reading: Reading) -> MassDocument:
@@ -86,7 +83,7 @@ def mass_document(root: Element, reading: Reading) -> MassDocument:
     values = reading.values(root, MASS)
     found = _read(root, reading)
     mass = Mass(tuple(part for part, _ in found))
-    if worst(reading.diagnostics) is not Severity.ERROR:
+    if not reading.diagnostics.erroneous:
         reading.diagnostics += _remarks(mass, found)
     return MassDocument(mass, values.get("name") or "", values.get("units") or "m", reading.ordered())
 

@@ -10,7 +10,8 @@ from collections.abc import Collection, Iterable
 from typing import Any
 
 from layoutkit.constraints.attributes import Attribute
-from layoutkit.diagnostics import Diagnostic, did_you_mean, nearest
+from layoutkit.diagnostics import Diagnostic, Place, did_you_mean, nearest
+from layoutkit.documents.findings import Findings
 from layoutkit.documents.grammar import (
     AGAIN,
     BOX,
@@ -46,18 +47,26 @@ class Reading:
 
     def __init__(self, namespace: str = NAMESPACE) -> None:
         self.namespace = namespace
-        self.diagnostics: list[Diagnostic] = []
+        self.diagnostics = Findings()
 
     def fault(self, code: str, message: str, element: Element, hint: str = "", topic: str = "schema") -> None:
         """Record an error at an element."""
         self.diagnostics.append(Diagnostic(code, message, element.place, hint, topic=topic))
 
     def values(self, element: Element, declared: ElementType) -> dict[str, Any]:
-        """Return an element's attributes by name; None stands for a value that cannot be read."""
+        """Return an element's attributes by name, as `attributes`; that it holds no text is checked, too."""
         if element.text is not None:
-            hint = "delete it, or make it a comment"
-            message = f"text stands in <{element.name}>, where none is allowed"
-            self.diagnostics.append(Diagnostic("LK109", message, element.text, hint, topic="schema"))
+            self.stray_text(element.name, element.text)
+        return self.attributes(element, declared)
+
+    def stray_text(self, name: str, place: Place) -> None:
+        """Record that there is text in an element of a name."""
+        hint = "delete it, or make it a comment"
+        message = f"text stands in <{name}>, where none is allowed"
+        self.diagnostics.append(Diagnostic("LK109", message, place, hint, topic="schema"))
+
+    def attributes(self, element: Element, declared: ElementType) -> dict[str, Any]:
+        """Return an element's attributes by name; None stands for a value that cannot be read."""
         found = {}
         for name, text in self._known(element, declared).items():
             found[name] = self._value(element, declared.attributes[name], text)
@@ -73,7 +82,7 @@ class Reading:
         if known.keys() >= element.attributes.keys():
             return element.attributes
         found = {name: text for name, text in element.attributes.items() if name in known}
-        for name in element.attributes.keys() - found.keys() - _SCHEMA_LOCATIONS:
+        for name in [n for n in element.attributes if n not in found and n not in _SCHEMA_LOCATIONS]:
             self.fault(
                 "LK103", f"<{element.name}> has no attribute {name!r}", element, did_you_mean(name, known)
             )
@@ -90,14 +99,7 @@ class Reading:
             choices = attribute.type.choices
             hint = did_you_mean(text, choices) if choices else attribute.help
             self.fault(code, f"{attribute.name} of <{element.name}>: {error}", element, hint)
-        except Exception as error:  # a plugin's own type of attribute
-            self.plugin_failed(element, error)
         return None
-
-    def plugin_failed(self, element: Element, error: Exception) -> None:
-        """Record that a plugin's constraint kind raised an error."""
-        message = f"the constraint kind {element.name!r} failed: {type(error).__name__}: {error}"
-        self.fault("LK407", message, element, "report it to the plugin's author", topic="plugin")
 
     def name_of(self, element: Element, parent: Element, allowed: Collection[str]) -> str | None:
         """Return which of the allowed names the element has, or was meant to have; None if neither."""

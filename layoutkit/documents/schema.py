@@ -7,8 +7,11 @@ can say (sizes that add up, names that exist), the reader says alone.
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from collections.abc import Mapping
 
+from layoutkit.constraints import Constraint
 from layoutkit.constraints.attributes import AttributeType
+from layoutkit.constraints.namespace import CORE, Namespace
 from layoutkit.documents.grammar import (
     AGAIN,
     BOX,
@@ -34,16 +37,27 @@ _NAMESPACES = {
 }
 
 
-def schema(kinds: Kinds) -> bytes:
-    """Return the schema of facade, layout and mass documents.
+def schemas(kinds: Kinds) -> Mapping[str, bytes]:
+    """Return the schema of facade, layout and mass documents: one file a namespace, by its name.
+
+    The first one, ``layoutkit.xsd``, imports the others, which hold the constraints of plugins and are named
+    by the prefixes of these.
 
     Parameters
     ----------
     kinds
         Constraint kinds by the name of their element, plugins' kinds among them.
     """
-    root = ET.Element("xs:schema", _NAMESPACES)
+    return {"layoutkit.xsd": schema(kinds), **{_file(own): _part(own, kinds) for own in _foreign(kinds)}}
+
+
+def schema(kinds: Kinds) -> bytes:
+    """Return the schema of documents alone; those of plugins' constraints are imported by their files."""
+    foreign = _foreign(kinds)
+    root = ET.Element("xs:schema", {**_NAMESPACES, **{f"xmlns:{own.prefix}": own.uri for own in foreign}})
     _explain(root, "Facade, layout and mass documents of layoutkit.")
+    for own in foreign:
+        _add(root, "import", namespace=own.uri, schemaLocation=_file(own))
     for document in (FACADE, LAYOUT):
         parts = _sequence(_explained(root, "element", document.help, name=document.name), document)
         _explained(parts, "element", PICTURE.help, name=PICTURE.name, type="Picture", minOccurs="0")
@@ -65,9 +79,41 @@ def schema(kinds: Kinds) -> bytes:
     if kinds:
         choice = _add(constraints, "choice", minOccurs="0", maxOccurs="unbounded")
         for kind in kinds.values():
-            known = declared(kind)
-            element = _explained(choice, "element", known.help, name=known.name)
-            _add_attributes(_add(element, "complexType"), known)
+            if kind.namespace == CORE:
+                _declare(choice, kind)
+            else:
+                _add(choice, "element", ref=kind.qualified_name())
+    return _written(root)
+
+
+def _foreign(kinds: Kinds) -> tuple[Namespace, ...]:
+    """Return the namespaces of plugins' kinds, each once."""
+    return tuple(dict.fromkeys(kind.namespace for kind in kinds.values() if kind.namespace != CORE))
+
+
+def _file(own: Namespace) -> str:
+    return f"{own.prefix}.xsd"
+
+
+def _part(own: Namespace, kinds: Kinds) -> bytes:
+    """Return the schema of one plugin's constraints."""
+    namespaces = {"xmlns:xs": _NAMESPACES["xmlns:xs"], "targetNamespace": own.uri}
+    root = ET.Element("xs:schema", namespaces)
+    _explain(root, f"Constraints of {own.uri}, for facade documents of layoutkit.")
+    for kind in kinds.values():
+        if kind.namespace == own:
+            _declare(root, kind)
+    return _written(root)
+
+
+def _declare(parent: ET.Element, kind: type[Constraint]) -> None:
+    """Declare a constraint's element and its attributes."""
+    known = declared(kind)
+    element = _explained(parent, "element", known.help, name=known.name)
+    _add_attributes(_add(element, "complexType"), known)
+
+
+def _written(root: ET.Element) -> bytes:
     ET.indent(root)
     written: bytes = ET.tostring(root, encoding="utf-8")
     return b'<?xml version="1.0" encoding="UTF-8"?>\n' + written + b"\n"

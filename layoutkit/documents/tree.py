@@ -1,35 +1,18 @@
-"""XML to a tree of elements that know their places; nothing is ever expanded or fetched.
-
-The parser is expat, for its places: line and column are right in every encoding, with any line ends, and in
-files of any length, which lxml's 16-bit line numbers are not.
-"""
+"""XML to a tree of elements that know their places."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from xml.parsers import expat
 
-from layoutkit.diagnostics import Diagnostic, Faulty, Place
+from layoutkit.diagnostics import Faulty, Place
+from layoutkit.documents.parsing import DEPTH_LIMIT, Pass, too_deep
+from layoutkit.documents.source import Source
 
-#: Elements within elements, the root counted.
-DEPTH_LIMIT = 64
-#: Elements in one document, those counted that `again` stands for.
+#: Elements in one tree.
 ELEMENT_LIMIT = 2_000_000
 
 _BLANK = " \t\r\n"
-_BYTE_ORDER_MARKS = (b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff")
-_ENCODING_ERRORS = (expat.errors.XML_ERROR_UNKNOWN_ENCODING, expat.errors.XML_ERROR_INCORRECT_ENCODING)
-_ENTITIES = "write &amp; for &, &lt; for <, &quot; for a quotation mark inside an attribute"
-_HINTS = {
-    expat.errors.XML_ERROR_SYNTAX: "an XML document begins with <, and so does each tag",
-    expat.errors.XML_ERROR_INVALID_TOKEN: _ENTITIES,
-    expat.errors.XML_ERROR_UNDEFINED_ENTITY: _ENTITIES,
-    expat.errors.XML_ERROR_NO_ELEMENTS: "the file is empty, or cut off",
-    expat.errors.XML_ERROR_JUNK_AFTER_DOC_ELEMENT: "a document has one root element: delete what follows it",
-    expat.errors.XML_ERROR_DUPLICATE_ATTRIBUTE: "delete one of the two attributes of that name",
-    expat.errors.XML_ERROR_UNBOUND_PREFIX: "declare the prefix with xmlns:prefix=..., or delete it",
-    expat.errors.XML_ERROR_MISPLACED_XML_PI: "the XML declaration stands first: delete what is above it",
-}
 
 
 @dataclass(slots=True, eq=False)
@@ -66,7 +49,7 @@ class Element:
         return Place(self.file, self.line, self.column)
 
 
-def parse(source: bytes, file: str) -> Element:
+def parse(source: bytes | Source, file: str = "", line: int = 1, column: int = 1) -> Element:
     """Return the root of a document.
 
     Parameters
@@ -74,7 +57,9 @@ def parse(source: bytes, file: str) -> Element:
     source
         The document; it says itself what its encoding is.
     file
-        What places name.
+        What places name, unless the source says.
+    line, column
+        Where in the file the document begins, if it is a part of it.
 
     Raises
     ------
@@ -82,121 +67,111 @@ def parse(source: bytes, file: str) -> Element:
         If it is not well-formed (LK002), of an unknown encoding (LK003), has a document type declaration
         (LK004), is nested deeper than `DEPTH_LIMIT` (LK005) or larger than `ELEMENT_LIMIT` (LK006).
     """
-    return _Builder(source, file).build()
+    whole = source if isinstance(source, Source) else Source(file, source, line, column)
+    builder = TreeBuilder(Pass(whole))
+    return builder.build()
 
 
-class _Builder:
-    """Receives expat's events and stacks up elements."""
+def element_of(name: str, given: Sequence[str], place: Place) -> Element:
+    """Return an element of what the parser says of its start tag."""
+    namespace, _, local = name.rpartition(" ")
+    pairs = iter(given)
+    attributes = dict(zip(pairs, pairs, strict=True))
+    for key in [key for key in attributes if " " in key]:
+        space, _, plain = key.rpartition(" ")
+        attributes[f"{{{space}}}{plain}"] = attributes.pop(key)
+    return Element(namespace, local, attributes, place.file, place.line, place.column)
 
-    def __init__(self, source: bytes, file: str) -> None:
-        self.source, self.file = source, file
-        # Expat counts a byte order mark as a column of the first line.
-        self.mark = int(source.startswith(_BYTE_ORDER_MARKS))
+
+def text_place(text: str, place: Place) -> Place | None:
+    """Return where the first sign of a text stands that is not white space; None if there is none.
+
+    Parameters
+    ----------
+    text
+        Within one line.
+    place
+        Where it begins.
+    """
+    shown = text.lstrip(_BLANK)
+    return Place(place.file, place.line, place.column + len(text) - len(shown)) if shown else None
+
+
+class TreeBuilder:
+    """Receives what a pass meets, and stacks up elements.
+
+    Attributes
+    ----------
+    open
+        The elements that have begun, and not yet ended.
+    """
+
+    def __init__(self, pass_: Pass) -> None:
+        self.pass_ = pass_
         self.open: list[Element] = []
         self.root: Element | None = None
-        self.elements = 0
-        self.comments: list[str] = []
-        self.newlines = 0
-        self.parser = expat.ParserCreate(namespace_separator=" ")
-        self.parser.StartElementHandler = self.start
-        self.parser.EndElementHandler = self.end
-        self.parser.CommentHandler = self.comment
-        self.parser.CharacterDataHandler = self.characters
-        # Receives what no other handler does: `<!DOCTYPE` by itself, before anything behind it is read.
-        self.parser.DefaultHandler = self.markup
+        self._elements = 0
+        self._comments: list[str] = []
+        self._newlines = 0
+        self.listen()
+
+    def listen(self) -> None:
+        """Take the parser's events from now on."""
+        parser = self.pass_.expat
+        parser.StartElementHandler, parser.EndElementHandler = self.start, self.end
+        parser.CommentHandler, parser.CharacterDataHandler = self.comment, self.characters
+        self.pass_.feeding = lambda chunk: None
+        self.pass_.innermost = lambda: (self.open[-1].name, self.open[-1].line) if self.open else None
 
     def build(self) -> Element:
-        try:
-            self.parser.Parse(self.source, True)
-        except expat.ExpatError as error:
-            raise Faulty([self.malformed(error)]) from error
-        except (LookupError, ValueError) as error:  # what Python's codecs say of a declared encoding
-            hint = "save the document as UTF-8"
-            raise Faulty([Diagnostic("LK003", str(error), self.place(), hint, topic="xml")]) from error
+        """Go through the document, and return its root."""
+        self.pass_.run()
         assert self.root is not None  # expat accepts no document without one
         return self.root
 
-    def place(self) -> Place:
-        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber
-        return Place(self.file, line, column + 1 - (self.mark if line == 1 else 0))
-
-    def start(self, name: str, attributes: dict[str, str]) -> None:
+    def start(self, name: str, given: list[str]) -> None:
+        """Take a start tag."""
         if len(self.open) == DEPTH_LIMIT:
-            raise self.refused("LK005", f"elements are nested more than {DEPTH_LIMIT} deep", "flatten them")
-        self.elements += 1
-        if self.elements > ELEMENT_LIMIT:
-            raise self.refused(
-                "LK006", f"the document holds more than {ELEMENT_LIMIT:,} elements", "split it"
-            )
-        namespace, _, local = name.rpartition(" ")
-        for key in [key for key in attributes if " " in key]:
-            space, _, plain = key.rpartition(" ")
-            attributes[f"{{{space}}}{plain}"] = attributes.pop(key)
-        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber
-        column += 1 - (self.mark if line == 1 else 0)
-        comment = "\n".join(self.comments) if self.comments and self.newlines < 2 else ""
-        element = Element(namespace, local, attributes, self.file, line, column, comment)
+            raise Faulty([too_deep(self.pass_.place())])
+        self._elements += 1
+        if self._elements > ELEMENT_LIMIT:
+            message = f"the document holds more than {ELEMENT_LIMIT:,} elements"
+            raise self.pass_.refused("LK006", message, "split it")
+        element = element_of(name, given, self.pass_.place())
+        if self._comments and self._newlines < 2:
+            element.comment = "\n".join(self._comments)
         if self.open:
             self.open[-1].children.append(element)
         else:
             self.root = element
         self.open.append(element)
-        self.forget()
+        self._forget()
 
     def end(self, name: str) -> None:
+        """Take an end tag."""
         self.open.pop()
-        self.forget()
+        self._forget()
 
-    def forget(self) -> None:
+    def _forget(self) -> None:
         """Begin anew with the white space and comments above the next element."""
-        self.comments, self.newlines = [], 0
+        self._comments, self._newlines = [], 0
 
     def comment(self, text: str) -> None:
-        if self.newlines >= 2:
-            self.comments = []
-        trails = not self.comments and self.newlines == 0 and self.open and self.open[-1].children
+        """Take a comment."""
+        if self._newlines >= 2:
+            self._comments = []
+        trails = not self._comments and self._newlines == 0 and self.open and self.open[-1].children
         if not trails:  # a comment behind an element, on its line, speaks of that one
-            self.comments += comment_lines(text)
-        self.newlines = 0
+            self._comments += comment_lines(text)
+        self._newlines = 0
 
     def characters(self, text: str) -> None:
+        """Take text, a line or its end at a time."""
         if text == "\n":
-            self.newlines += 1
-        elif shown := text.lstrip(_BLANK):
-            self.comments = []
-            if self.open[-1].text is None:
-                place = self.place()
-                column = place.column + len(text) - len(shown)
-                self.open[-1].text = Place(place.file, place.line, column)
-
-    def markup(self, text: str) -> None:
-        if text == "<!DOCTYPE":
-            raise self.refused("LK004", "the document has a document type declaration", "delete it")
-
-    def refused(self, code: str, message: str, hint: str) -> Faulty:
-        return Faulty([Diagnostic(code, message, self.place(), hint, topic="xml")])
-
-    def malformed(self, error: expat.ExpatError) -> Diagnostic:
-        reason = expat.errors.messages[error.code]
-        column = error.offset + 1 - (self.mark if error.lineno == 1 else 0)
-        place = Place(self.file, error.lineno, column)
-        if reason in _ENCODING_ERRORS or self.misencoded():
-            hint = "save the document as UTF-8, or declare the encoding that it has"
-            return Diagnostic("LK003", "the bytes are not of the encoding declared", place, hint, topic="xml")
-        hint = _HINTS.get(reason, "")
-        if self.open and not hint:
-            last = self.open[-1]
-            hint = f"<{last.name}>, opened in line {last.line}, is not closed before this place"
-        return Diagnostic("LK002", f"the XML is broken: {reason}", place, hint, topic="xml")
-
-    def misencoded(self) -> bool:
-        """Tell whether the parser stopped at bytes that are not UTF-8, in a document that is up to there."""
-        at = self.parser.ErrorByteIndex
-        try:
-            self.source[: at + 4].decode()
-        except UnicodeDecodeError as error:
-            return error.start == at and at > 0
-        return False
+            self._newlines += 1
+        elif place := text_place(text, self.pass_.place()):
+            self._comments = []
+            self.open[-1].text = self.open[-1].text or place
 
 
 def comment_lines(text: str) -> list[str]:

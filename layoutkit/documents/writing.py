@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from layoutkit.constraints import Constraint
+from layoutkit.constraints.namespace import CORE, Namespace
 from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.documents.grammar import NAMESPACE
 from layoutkit.documents.masses import part_fields
@@ -35,13 +36,15 @@ def facade_bytes(facade: Facade) -> bytes:
     ValueError
         If a child does not reach across its parent: a document has no place for such a size.
     """
-    head = {"xmlns": NAMESPACE, "name": facade.name, "units": facade.units}
+    foreign = [c.namespace for c in facade.constraints if c.namespace != CORE]
+    declared = {own.prefix: own for own in reversed(foreign)}.values()
+    head = {"xmlns": NAMESPACE, **_declarations(declared), "name": facade.name, "units": facade.units}
     lines = [f"<{_joined('facade', head)}>"]
     lines += _picture_lines(facade.picture)
     lines += _root_lines(facade.root)
     if facade.constraints:
         lines += [f"{INDENT}<constraints>"]
-        lines += [INDENT * 2 + line for line in constraint_lines(facade.constraints)]
+        lines += [INDENT * 2 + line for line in constraint_lines(facade.constraints, declared=declared)]
         lines += [f"{INDENT}</constraints>"]
     return _document(lines, "facade")
 
@@ -82,24 +85,35 @@ def mass_bytes(mass: Mass, name: str, units: Units) -> bytes:
     return _document([f"<{_joined('mass', head)}>", *_part_lines(mass)], "mass")
 
 
-def constraint_lines(constraints: Iterable[Constraint], prefix: str = "") -> Iterator[str]:
+def constraint_lines(
+    constraints: Iterable[Constraint], prefix: str = "", declared: Collection[Namespace] = ()
+) -> Iterator[str]:
     """Yield the lines of constraint elements, their comments above them.
 
     Parameters
     ----------
     prefix
-        Of the namespace, with its colon, where it is not the default one.
+        Of the documents' namespace, with its colon, where it is not the default one.
+    declared
+        Namespaces of plugins whose prefixes are declared further out; elements of others declare theirs.
     """
     for constraint in constraints:
         for line in comment_lines(constraint.comment):
             # Two hyphens would end the comment.
             yield f"<!-- {_writable(re.sub('-(?=-)', '- ', line))} -->"
+        own = constraint.namespace
+        declaration = {} if own == CORE or own in declared else _declarations([own])
         shown = {
             a.name: a.type.text(value)
             for a in constraint.attributes()
             if (value := getattr(constraint, a.field_name)) != a.default or a.required
         }
-        yield f"<{_joined(prefix + constraint.kind, shown)}/>"
+        name = prefix + constraint.kind if own == CORE else constraint.qualified_name()
+        yield f"<{_joined(name, {**declaration, **shown})}/>"
+
+
+def _declarations(namespaces: Iterable[Namespace]) -> dict[str, str]:
+    return {f"xmlns:{own.prefix}": own.uri for own in namespaces}
 
 
 def _document(lines: Iterable[str], root: str) -> bytes:

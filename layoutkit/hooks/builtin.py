@@ -21,7 +21,7 @@ def layoutkit_constraints() -> Iterable[type[Constraint]]:
 
 
 @hookimpl
-def layoutkit_qp_backends() -> Iterable[Backend]:
+def layoutkit_qp_backends() -> tuple[Backend, ...]:
     """Return the built-in solvers of quadratic programs."""
     from layoutkit.sizing.backends import BACKENDS
 

@@ -5,9 +5,17 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import re
+from typing import TYPE_CHECKING
+
+from layoutkit.diagnostics.origin import PROJECT
+
+if TYPE_CHECKING:
+    from layoutkit.constraints import Constraint
 
 #: What a name may be: an element's name in documents, a word on the command line.
 _NAME = re.compile(r"[a-z][a-z0-9-]*")
+#: Prefixes that schemas and their files use otherwise; all that begin with "xml" are XML's own.
+_TAKEN = ("layoutkit", "xs", "xsi")
 
 
 def constraint_fault(item: object) -> str:
@@ -25,6 +33,23 @@ def constraint_fault(item: object) -> str:
         return f"{item.__name__}.{undeclared[0]} is not declared with attribute()"
     if item.violations is Constraint.violations:
         return f"{item.__name__} has no violations(): nothing would check it"
+    return _namespace_fault(item)
+
+
+def _namespace_fault(kind: type[Constraint]) -> str:
+    from layoutkit.constraints.namespace import CORE, Namespace
+
+    own, who = kind.namespace, f"{kind.__name__}.namespace"
+    if not isinstance(own, Namespace):
+        return f"{who} is {own!r}, and no Namespace"
+    if own == CORE:
+        ours = kind.__module__.partition(".")[0] == PROJECT
+        return "" if ours else f"{who} is layoutkit's own: give it a namespace of your own"
+    if not _NAME.fullmatch(own.prefix) or own.prefix.startswith("xml") or own.prefix in _TAKEN:
+        taken = ", ".join(_TAKEN)
+        return f"{who} has the prefix {own.prefix!r}: small letters, digits and hyphens, but not {taken}"
+    if not own.uri or own.uri == CORE.uri or any(sign.isspace() for sign in own.uri):
+        return f"{who} has the URI {own.uri!r}: one of your own, without blanks"
     return ""
 
 

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from importlib.metadata import EntryPoint
+from operator import attrgetter, methodcaller
 from typing import TYPE_CHECKING, Any
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
+from layoutkit.diagnostics.blame import ANYTHING, described
+from layoutkit.diagnostics.origin import Origin, installed
 from layoutkit.hooks import checks
-from layoutkit.hooks.loading import Loaded, described, installed, without
+from layoutkit.hooks.loading import Loaded, remaining
 from layoutkit.hooks.lookup import Lookup
-from layoutkit.hooks.origin import Origin
+from layoutkit.hooks.watching import watching
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
@@ -31,11 +34,13 @@ class _Kind:
     what: str
     hook: str
     fault: Callable[[object], str]
-    name: str = "name"
+    name: Callable[[Any], str] = attrgetter("name")
 
 
 _KINDS: Mapping[str, _Kind] = {
-    "constraints": _Kind("constraint", "layoutkit_constraints", checks.constraint_fault, "kind"),
+    "constraints": _Kind(
+        "constraint", "layoutkit_constraints", checks.constraint_fault, methodcaller("qualified_name")
+    ),
     "stages": _Kind("stage", "layoutkit_stages", checks.stage_fault),
     "formats": _Kind("format", "layoutkit_formats", checks.format_fault),
     "backends": _Kind("QP backend", "layoutkit_qp_backends", checks.backend_fault),
@@ -69,8 +74,13 @@ class Host:
         self._report([*diagnostics, *loaded.diagnostics])
 
     @classmethod
-    def load(cls, severity: Severity = Severity.WARNING, points: Iterable[EntryPoint] | None = None) -> Host:
-        """Load the installed plugins, less those that ``LAYOUTKIT_DISABLE_PLUGINS`` names.
+    def load(
+        cls,
+        severity: Severity = Severity.WARNING,
+        points: Iterable[EntryPoint] | None = None,
+        without: Collection[str] = (),
+    ) -> Host:
+        """Load the installed plugins, less those that ``LAYOUTKIT_DISABLE_PLUGINS`` or `without` names.
 
         Parameters
         ----------
@@ -78,15 +88,18 @@ class Host:
             How grave a failing plugin is.
         points
             Entry points to load instead of the installed ones.
+        without
+            Names of plugins that are not to be loaded.
 
         Raises
         ------
         Faulty
             If one fails, and that is an error.
         """
-        disabled = {name.strip() for name in os.environ.get(DISABLE, "").split(",")} - {""}
-        kept, unknown = without(installed() if points is None else points, disabled)
-        return cls(Loaded(kept), severity, unknown)
+        disabled = {*(name.strip() for name in os.environ.get(DISABLE, "").split(",")), *without} - {""}
+        kept, unknown = remaining(installed() if points is None else points, disabled)
+        patience = watching(origin for origin in map(Origin.of, kept) if not origin.ours)
+        return cls(Loaded(kept), severity, [*unknown, *patience])
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
@@ -125,14 +138,26 @@ class Host:
         givers: dict[str, Origin] = {}
         for plugin, origin in self.origins.items():
             for item in self._answers(plugin, origin, kind):
-                name = getattr(item, kind.name)
-                if name in found:
-                    clash = f"adds the {kind.what} {name!r}, which the {givers[name]} has added already"
+                name = kind.name(item)
+                if clash := self._clash(kind, item, found, givers):
                     self._blame("LK405", origin, clash, "the first is used; rename or disable one of the two")
                     continue
                 found[name], givers[name] = item, origin
                 self._added[plugin, attribute] = (*self._added.get((plugin, attribute), ()), name)
         return Lookup(kind.what, found, self._diagnostics)
+
+    @staticmethod
+    def _clash(kind: _Kind, item: Any, found: Mapping[str, Any], givers: Mapping[str, Origin]) -> str:
+        """Say which name of an item is taken; empty if none is."""
+        name = kind.name(item)
+        if name in found:
+            return f"adds the {kind.what} {name!r}, which the {givers[name]} has added already"
+        if (own := getattr(item, "namespace", None)) is None:
+            return ""
+        alike = (n for n, o in found.items() if o.namespace.prefix == own.prefix and o.namespace != own)
+        if other := next(alike, None):
+            return f"has a namespace of the prefix {own.prefix!r}, which is that of the {givers[other]}"
+        return ""
 
     def _answers(self, plugin: str, origin: Origin, kind: _Kind) -> list[Any]:
         """Return what a plugin's hook gives, less what is unusable."""
@@ -143,7 +168,7 @@ class Host:
         try:
             answers = self._manager.subset_hook_caller(kind.hook, others)()
             given = None if not answers else list(answers[0])
-        except Exception as error:  # whatever a plugin raises is laid at its door
+        except ANYTHING as error:  # whatever a plugin raises is laid at its door
             self._blame("LK403", origin, f"fails in {kind.hook}: {described(error)}")
             return []
         if given is None:
@@ -154,7 +179,7 @@ class Host:
     def _usable(self, item: object, origin: Origin, kind: _Kind) -> bool:
         try:
             fault = kind.fault(item)
-        except Exception as error:  # attributes of the item may do anything
+        except ANYTHING as error:  # attributes of the item may do anything
             fault = described(error)
         if fault:
             self._blame("LK404", origin, f"returns something unusable from {kind.hook}: {fault}")

@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from importlib.metadata import EntryPoint, entry_points
+from importlib.metadata import EntryPoint
 
 import pluggy
 
 from layoutkit.diagnostics import Diagnostic, did_you_mean
+from layoutkit.diagnostics.blame import ANYTHING, described
+from layoutkit.diagnostics.origin import BUILT_IN, PROJECT, Origin
 from layoutkit.hooks import builtin
-from layoutkit.hooks.origin import BUILT_IN, Origin
-from layoutkit.hooks.specs import PROJECT, Hooks
+from layoutkit.hooks.specs import API, API_VERSION, Hooks
+
+#: What calls off the loading of a plugin, besides errors: modules that end the program, or do not end.
+_FATAL = (*ANYTHING, SystemExit)
 
 
-def installed() -> tuple[EntryPoint, ...]:
-    """Return the entry points of every installed plugin, in the order of their names."""
-    return tuple(sorted(entry_points(group=PROJECT), key=lambda point: (point.name, point.value)))
-
-
-def without(
+def remaining(
     points: Iterable[EntryPoint], disabled: Collection[str]
 ) -> tuple[tuple[EntryPoint, ...], tuple[Diagnostic, ...]]:
     """Return the entry points that are not disabled, and a diagnostic for every name that is none."""
@@ -27,7 +26,7 @@ def without(
     unknown = [
         Diagnostic(
             "LK408",
-            f"LAYOUTKIT_DISABLE_PLUGINS names {name!r}, which is no installed plugin",
+            f"{name!r} is to be left out, and is no installed plugin",
             hint=did_you_mean(name, names),
             topic="plugin",
         )
@@ -57,14 +56,24 @@ class Loaded:
             self._load(point)
 
     def _load(self, point: EntryPoint) -> None:
-        origin = _origin(point)
+        origin = Origin.of(point)
         if taken := self.origins.get(point.name):
             self._report("LK405", origin, f"is skipped: its name is taken by the {taken}")
             return
         try:
             plugin = point.load()
-        except (Exception, SystemExit) as error:
+        except _FATAL as error:
             self._report("LK401", origin, f"cannot be loaded: {described(error)}")
+            return
+        if (wanted := getattr(plugin, API, API_VERSION)) != API_VERSION:
+            what = f"is for version {wanted!r} of the plugin interface; this layoutkit has {API_VERSION}"
+            older = isinstance(wanted, int) and wanted < API_VERSION
+            hint = (
+                f"upgrade {origin.package}"
+                if older
+                else f"upgrade layoutkit, or install another {origin.package}"
+            )
+            self._report("LK409", origin, what, hint)
             return
         if same := self.manager.get_name(plugin):
             self._report("LK405", origin, f"is skipped: it is the {self.origins[same]} under another name")
@@ -95,14 +104,3 @@ class Loaded:
 
     def _report(self, code: str, origin: Origin, what: str, hint: str = "") -> None:
         self.diagnostics.append(Diagnostic(code, f"the {origin} {what}", hint=hint, topic="plugin"))
-
-
-def described(error: BaseException) -> str:
-    """Return an error as a user reads it: its kind and what it says."""
-    return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
-
-
-def _origin(point: EntryPoint) -> Origin:
-    if point.dist is None:
-        return Origin(point.name, "an unknown package", "", point.module)
-    return Origin(point.name, point.dist.name, point.dist.version, point.module)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import pluggy
 
 from layoutkit.diagnostics import Diagnostic
+from layoutkit.diagnostics.origin import PROJECT
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
@@ -22,8 +23,10 @@ if TYPE_CHECKING:
     from layoutkit.model.conflict import Explanation
     from layoutkit.sizing.qp import Backend
 
-#: The name of the plugin system: markers, and the entry point group.
-PROJECT = "layoutkit"
+#: The version of this interface. A plugin's module may state the one that it was written for, as `API`.
+API_VERSION = 1
+#: What a plugin's module calls it.
+API = "LAYOUTKIT_API"
 
 hookspec = pluggy.HookspecMarker(PROJECT)
 hookimpl = pluggy.HookimplMarker(PROJECT)
@@ -67,7 +70,8 @@ class Stage(ABC):
     summary
         What it does, in one sentence.
     options
-        Frozen dataclass of its options, every field with a default.
+        Frozen dataclass of its options, every field with a default. If there is a field `backends`, commands
+        hand it the solvers of quadratic programs of all plugins, in the order in which they are to be asked.
     """
 
     name: ClassVar[str]

@@ -13,6 +13,8 @@ SYMBOL = r"[^\W\d]\w*"
 _PATH = rf"{SYMBOL}(?:/{SYMBOL})*"
 _TOKEN = re.compile(rf"\s*(?:(?P<operator>[|&()-])|(?P<name>@{SYMBOL}|{_PATH}(?:/\*)?))")
 Operator = Literal["|", "&", "-"]
+#: Parentheses within parentheses, and changes from one operator to another, in one expression.
+DEPTH_LIMIT = 50
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,10 +48,10 @@ class RegionSet:
         ValueError
             If the text is not of that form; the message says where.
         """
-        tokens = list(_tokens(text))
-        found, rest = _expression(tokens, text)
-        if rest:
-            raise ValueError(f"unexpected {rest[0]!r} in {text!r}")
+        tokens = [*_tokens(text)][::-1]
+        found = _expression(tokens, text, 0)
+        if tokens:
+            raise ValueError(f"unexpected {tokens[-1]!r} in {text!r}")
         return found
 
     @classmethod
@@ -94,11 +96,16 @@ class RegionSet:
 
     def contains(self, names: frozenset[str]) -> bool:
         """Tell whether a region that goes by all of `names` (labels with their ``@``) is in the set."""
-        if self.left is None or self.right is None:
-            return self.name in names
-        if self.operator == "|":
-            return any(operand.contains(names) for operand in self._spine("|"))
-        return self.left.contains(names) and self.right.contains(names) is (self.operator == "&")
+        spine, node = list[RegionSet](), self
+        while node.left is not None:
+            spine.append(node)
+            node = node.left
+        found = node.name in names
+        for node in reversed(spine):
+            assert node.right is not None
+            if found != (node.operator == "|"):  # else the right side changes nothing
+                found = node.right.contains(names) is (node.operator != "-")
+        return found
 
     def __str__(self) -> str:
         parts: list[str] = []
@@ -122,24 +129,29 @@ def _tokens(text: str) -> Iterator[str]:
         position = token.end()
 
 
-def _expression(tokens: list[str], text: str) -> tuple[RegionSet, list[str]]:
-    found, tokens = _operand(tokens, text)
-    while tokens and tokens[0] in ("|", "&", "-"):
-        operator: Operator = tokens[0]  # type: ignore[assignment]  # one of the three, as just tested
-        other, tokens = _operand(tokens[1:], text)
-        found = RegionSet(operator=operator, left=found, right=other)
-    return found, tokens
+def _expression(tokens: list[str], text: str, depth: int) -> RegionSet:
+    """Read an expression off the end of the reversed tokens."""
+    found, last = _operand(tokens, text, depth), ""
+    while tokens and tokens[-1] in ("|", "&", "-"):
+        operator: Operator = tokens.pop()  # type: ignore[assignment]  # one of the three, as just tested
+        depth, last = depth + (operator != last), operator
+        if depth > DEPTH_LIMIT:
+            raise ValueError(f"{text!r} changes between operators more than {DEPTH_LIMIT} times")
+        found = RegionSet(operator=operator, left=found, right=_operand(tokens, text, depth))
+    return found
 
 
-def _operand(tokens: list[str], text: str) -> tuple[RegionSet, list[str]]:
+def _operand(tokens: list[str], text: str, depth: int) -> RegionSet:
     if not tokens:
         raise ValueError(f"a name is missing at the end of {text!r}")
-    head, rest = tokens[0], tokens[1:]
+    head = tokens.pop()
     if head == "(":
-        found, rest = _expression(rest, text)
-        if not rest or rest[0] != ")":
+        if depth == DEPTH_LIMIT:
+            raise ValueError(f"parentheses are nested more than {DEPTH_LIMIT} deep in {text!r}")
+        found = _expression(tokens, text, depth + 1)
+        if not tokens or tokens.pop() != ")":
             raise ValueError(f"a parenthesis is not closed in {text!r}")
-        return found, rest[1:]
+        return found
     if head in ("|", "&", "-", ")"):
         raise ValueError(f"a name is expected before {head!r} in {text!r}")
-    return RegionSet(head), rest
+    return RegionSet(head)

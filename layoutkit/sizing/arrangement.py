@@ -15,7 +15,7 @@ from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from layoutkit.model import Facade, Split
-from layoutkit.sizing.rules import SIZE, UNIT, Form, Range
+from layoutkit.sizing.rules import SIZE, UNIT, Form, Quantity, Range
 
 if TYPE_CHECKING:
     from layoutkit.sizing.qp import Floats
@@ -61,6 +61,10 @@ class Slot:
         return add(
             {variable: factor * (1 - share) for variable, factor in self.start.items()}, self.end, share
         )
+
+    def place(self, axis: int, share: float) -> Quantity:
+        """Return the same line for rules that relate quantities; `axis` is the one that the slot is of."""
+        return Quantity(axis, self.line(share))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -249,6 +253,10 @@ class Arrangement:
     def extent(self, path: str, axis: int) -> Form:
         """Return the size of the symbol along an axis, the same for all its occurrences."""
         return self.frames[path].extent[axis]
+
+    def size(self, path: str, axis: int) -> Quantity:
+        """Return the size of the symbol along an axis, for rules that relate quantities."""
+        return Quantity(axis, self.extent(path, axis))
 
     def run(self, path: str, start: int, end: int) -> Form:
         """Return the extent of the children from `start` to before `end` of the symbol, along its split."""

@@ -150,7 +150,7 @@ class Plan:
     def with_rows(self, extra: Sequence[Range]) -> Plan:
         """Return the plan with further rules."""
         plan = replace(self, added=(*self.added, *extra))
-        forms = self._over_free([rule.form for rule in extra])
+        forms = self.over_free([rule.form for rule in extra])
         if not isinstance(self.rows, np.ndarray):
             return plan._appended(forms, extra)
         equal = np.array([rule.least == rule.most for rule in extra])
@@ -164,8 +164,8 @@ class Plan:
         solved, pivots, wrong = _echelon(forms, self.free)
         return self._appended(wrong, [_NEVER] * len(wrong))._solved_for(solved, pivots)
 
-    def _over_free(self, forms: Sequence[Form]) -> Any:
-        """Return forms over the free variables, the size and the unit."""
+    def over_free(self, forms: Sequence[Form]) -> Any:
+        """Return forms as rows of a matrix over the free variables, the size and the unit."""
         own = _forms(forms, self.count, not isinstance(self.rows, np.ndarray))
         found = own[:, :-1] @ self.variables
         if isinstance(found, np.ndarray):

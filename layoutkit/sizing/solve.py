@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from layoutkit.diagnostics.blame import Misbehaviour
 from layoutkit.sizing.arrangement import Slot, add, value
 from layoutkit.sizing.backends import polish
 from layoutkit.sizing.conflicts import Contradiction
+from layoutkit.sizing.convex import Bend, broken, least_missed, nearest
 from layoutkit.sizing.overlaps import OVERLAP, Lines, Meetings, Pair, words_of
 from layoutkit.sizing.plan import DENSE, Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Floats, Solution
-from layoutkit.sizing.rules import Aligned, Range, SizeRule, Target
+from layoutkit.sizing.rules import Aligned, Convex, Range, SizeRule, Target
 
 #: Of a pair that has to align or stand apart: the one before, the one after, and the pair.
 Order = tuple[Slot, Slot, Pair]
@@ -64,6 +66,11 @@ class Axis:
     def guesses(self) -> tuple[Guess, ...]:
         """What likely belongs together, the likeliest first."""
         return tuple(Guess(self, nominal) for nominal in self.nominals)
+
+    @cached_property
+    def bends(self) -> tuple[Bend, ...]:
+        """The convex rules."""
+        return tuple(Bend(rule) for rule in self.rules if isinstance(rule, Convex))
 
     def planned(self, more: Sequence[Range]) -> Plan:
         """Return the rules and some more."""
@@ -243,10 +250,38 @@ class _Task:
             return problem
         solution = minimum(problem, self.backends)
         if solution.x is not None:
-            return plan.point(solution.x, self.size)
+            point = plan.point(solution.x, self.size)
+            return self._bent(plan, problem, point) if self.guess.axis.bends else point
         if solution.multipliers is not None:
             return plan.contradiction(plan.row_of(solution.multipliers), self.size)
         return None
+
+    def _bent(self, plan: Plan, problem: QP, point: Floats) -> Floats | Contradiction | None:
+        """Return the nearest point that keeps the convex rules too, from the one that keeps the others."""
+        bends = self.guess.axis.bends
+        if not broken(bends, plan.values(point, self.size), self.size):
+            return point
+        found = nearest(plan, problem, bends, self.size)
+        if found is not None:
+            found = polish(problem, found)
+            point = plan.point(found, self.size)
+            kept = not broken(bends, plan.values(point, self.size), self.size)
+            if kept and problem.residual(found) <= RESIDUAL:
+                return point
+        return self._refuted(plan, problem)
+
+    def _refuted(self, plan: Plan, problem: QP) -> Contradiction | None:
+        """Return why the convex rules cannot be kept: tangents that the other rules contradict."""
+        found = least_missed(plan, problem, self.guess.axis.bends, self.size)
+        if found is None:
+            return None
+        values = plan.values(plan.point(found, self.size), self.size)
+        cut = plan.with_rows(broken(self.guess.axis.bends, values, self.size))
+        further = cut.problem(self.size, self.drawn.sizes, self.drawn.weights)
+        if isinstance(further, Contradiction):
+            return further
+        multipliers = minimum(further, self.backends).multipliers
+        return None if multipliers is None else cut.contradiction(cut.row_of(multipliers), self.size)
 
     def _ways(self, plan: Plan, pairs: Sequence[Pair]) -> Iterator[Plan]:
         """Yield plans that deal with the first pair; the last three leave nothing out."""
@@ -292,6 +327,7 @@ def minimum(problem: QP, backends: Sequence[Backend]) -> Solution:
         if count > backend.most_variables:
             continue
         solution = backend.solve(problem)
+        _check_shapes(solution, problem, backend)
         if solution.status == "infeasible" and solution.multipliers is not None:
             proof = problem.refuted(solution.multipliers)
             if proof is not None:
@@ -301,3 +337,13 @@ def minimum(problem: QP, backends: Sequence[Backend]) -> Solution:
             if problem.residual(x) <= RESIDUAL:
                 return Solution("solved", x)
     return Solution("unknown")
+
+
+def _check_shapes(solution: Solution, problem: QP, backend: Backend) -> None:
+    """Refuse what cannot be checked: neither a point nor a proof can have another shape."""
+    if not isinstance(solution, Solution):
+        raise Misbehaviour(backend, f"returns {solution!r}, and no Solution")
+    rows, count = problem.rows.shape
+    for name, found, length in (("x", solution.x, count), ("multipliers", solution.multipliers, rows)):
+        if found is not None and np.shape(found) != (length,):
+            raise Misbehaviour(backend, f"returns {name} of the shape {np.shape(found)}, not {(length,)}")

@@ -10,10 +10,12 @@ from functools import cached_property, reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from layoutkit.constraints import Constraint, Size
+from layoutkit.constraints import Constraint
+from layoutkit.constraints.answers import ties_of, word_rules_of
+from layoutkit.constraints.claims import Claim, claims_of, sized
 from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.size import axis_of, input_size
-from layoutkit.constraints.word_rules import Counts, Variants, WordRule
+from layoutkit.constraints.word_rules import Counts, Variants
 from layoutkit.model import Facade
 from layoutkit.sizing.arrangement import AXIS
 from layoutkit_relayout.words.extremes import longest, longest_count, shortest, summed
@@ -55,7 +57,7 @@ class Model:
 
     def __init__(self, facade: Facade, constraints: Sequence[Constraint] | None = None) -> None:
         own = effective_constraints(facade) if constraints is None else tuple(constraints)
-        self._state(Varied(facade, own, tuple(word_rules(facade, own))))
+        self._state(Varied(facade, own, tuple(word_rules_of(facade, own))))
         self._at: dict[object, Model] = {}
 
     def _state(self, stated: Varied) -> None:
@@ -137,6 +139,11 @@ class Model:
             bound = rule.least.value > 1 or rule.most.value < room
         return int(max(1.0, min(allowed, room, MOST_INSTANCES)) + 1e-6), bound
 
+    @cached_property
+    def claims(self) -> tuple[Claim, ...]:
+        """What the constraints claim."""
+        return tuple(claim for constraint in self.constraints for claim in claims_of(constraint, self.facade))
+
     def axis(self, path: str) -> int:
         """Return the axis that a composite region splits."""
         return AXIS[self.facade.regions[path].split or "columns"]
@@ -216,7 +223,7 @@ class Model:
     def _neighbours(self) -> dict[WordGroup, frozenset[WordGroup]]:
         found: defaultdict[WordGroup, set[WordGroup]] = defaultdict(set)
         for constraint in self.constraints:
-            for axis, paths in constraint.ties(self.facade):
+            for axis, paths in ties_of(constraint, self.facade):
                 tied = {group for path in paths for group in self._governing(path, axis)}
                 for group in tied:
                     found[group] |= tied - {group}
@@ -363,24 +370,15 @@ def meet(one: Interval, other: Interval) -> Interval:
     return max(one[0], other[0]), min(one[1], other[1])
 
 
-def word_rules(facade: Facade, constraints: Sequence[Constraint]) -> list[WordRule]:
-    """Return what all constraints, kind by kind, ask of arrangements."""
-    kinds: defaultdict[type[Constraint], list[Constraint]] = defaultdict(list)
-    for constraint in constraints:
-        kinds[type(constraint)].append(constraint)
-    return [rule for kind, own in kinds.items() for rule in kind.word_rules(own, facade)]
-
-
 def _own_sizes(
     facade: Facade, constraints: Sequence[Constraint]
 ) -> tuple[dict[str, Interval], dict[str, tuple[float, float]]]:
-    """Return the bounds of each region with a size constraint, and centre and deviation of the first one."""
+    """Return the bounds of each region of whose size they speak; centre and deviation by the first one."""
     bounds: dict[str, Interval] = {}
     shapes: dict[str, tuple[float, float]] = {}
     for constraint in constraints:
-        if isinstance(constraint, Size):
-            for path in facade.select(constraint.of):
-                bounds[path] = meet(bounds.get(path, ANY), constraint.bounds(facade, path))
-                if path not in shapes:  # defaults stand behind what the document says
-                    shapes[path] = constraint.shape(facade, path)
+        for claim in sized(constraint, facade):
+            bounds[claim.path] = meet(bounds.get(claim.path, ANY), (claim.least, claim.most))
+            # Defaults stand behind what the document says.
+            shapes.setdefault(claim.path, (claim.centre, claim.deviation))
     return bounds, shapes

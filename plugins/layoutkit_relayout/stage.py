@@ -8,10 +8,12 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.diagnostics import Diagnostic, Severity
+from layoutkit.hooks.builtin import layoutkit_qp_backends
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Facade, Layout, Measure
 
 if TYPE_CHECKING:
+    from layoutkit.sizing.qp import Backend
     from layoutkit_relayout.explanation.refusal import Refusal
     from layoutkit_relayout.sampling.sampling import Sampling
     from layoutkit_relayout.search.search import Found
@@ -45,6 +47,8 @@ class RelayoutOptions:
     effort
         What it may cost to tell why there is no variation: each search, and each word tried in it, as much as
         the input has regions.
+    backends
+        Solvers of quadratic programs, in the order in which they are asked.
     """
 
     count: int = 8
@@ -55,6 +59,7 @@ class RelayoutOptions:
     sampling: Sampling = "weighted"
     node_limit: int = NODE_LIMIT
     effort: int = EFFORT
+    backends: tuple[Backend, ...] = field(default_factory=layoutkit_qp_backends)
 
 
 class Relayout(Stage):
@@ -86,14 +91,14 @@ class Relayout(Stage):
                     yield Outcome("limit", None, (too_many(error),))
 
     def _variations(self, facade: Facade, options: RelayoutOptions) -> Iterator[Outcome]:
-        from layoutkit.sizing.backends import BACKENDS
+        from layoutkit_relayout.explanation.judge import Judge
         from layoutkit_relayout.explanation.refusal import refusal
         from layoutkit_relayout.sampling.sampling import SAMPLERS
         from layoutkit_relayout.search.wishes import granted
 
         start = time.perf_counter()
         size = layout_size(facade, options.width, options.height)
-        found_out = granted(facade, size, BACKENDS, options.node_limit)
+        found_out = granted(facade, size, options.backends, options.node_limit)
         sampler, remarks = SAMPLERS[options.sampling](found_out.search), tuple(left_out(found_out))
         refusals: dict[tuple[str, int], Refusal] = {}
         for index in range(options.first, options.first + options.count):
@@ -106,7 +111,8 @@ class Relayout(Stage):
                     # Others that fail as far on fail for the same reason; what is told hangs on no other.
                     key = (found.status, found.nodes if found.status == "limit" else 0)
                     if key not in refusals:
-                        refusals[key] = refusal(facade, size, options.seed, found, options.effort)
+                        judge = Judge(facade, size, options.seed, options.effort, options.backends)
+                        refusals[key] = refusal(judge, found)
                     why = refusals[key]
                     yield Outcome(found.status, None, why.diagnostics, seconds, why.explanation)
             else:

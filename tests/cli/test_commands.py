@@ -230,21 +230,26 @@ def test_plugins_lists_what_each_adds(install: Any, layoutkit: Any) -> None:
 def test_plugins_names_what_failed(install: Any, layoutkit: Any) -> None:
     install("broken", "1 / 0")
     run = layoutkit("plugins", "--json")
-    assert run.code == 0
+    assert run.code == 5
+    assert [plugin["name"] for plugin in run.data["plugins"]] == ["builtin", "formats", "relayout"]
     assert [d["code"] for d in run.data["diagnostics"]] == ["LK401"]
     assert "ZeroDivisionError" in run.err
-    assert layoutkit("--strict", "plugins").code == 5
+    strict = layoutkit("--strict", "plugins")
+    assert (strict.code, strict.out) == (5, "")
+    assert layoutkit("--without", "broken", "plugins").code == 0
 
 
 CONSTRAINT = """
     from dataclasses import dataclass
     from layoutkit.constraints import Constraint
     from layoutkit.constraints.attributes import COUNT, attribute
+    from layoutkit.constraints.namespace import Namespace
     from layoutkit.hooks import hookimpl
 
     @dataclass(frozen=True, kw_only=True)
     class Quiet(Constraint):
         kind = "quiet"
+        namespace = Namespace("hush", "urn:hush:1")
         summary = "Demands nothing, in a loud voice."
         volume: int = attribute(COUNT, "How loud.", 3)
         def violations(self, view): return iter(())
@@ -256,13 +261,19 @@ CONSTRAINT = """
 
 
 def test_a_plugins_constraint_is_read_and_in_the_schema(install: Any, house: Path, layoutkit: Any) -> None:
-    house.write_text(house.read_text().replace("<constraints>", '<constraints>\n<quiet volume="4"/>'))
+    element = '<h:quiet xmlns:h="urn:hush:1" volume="4"/>'
+    house.write_text(house.read_text().replace("<constraints>", f"<constraints>\n{element}"))
     without = layoutkit("inspect", house)
     assert without.code == 1
-    assert "quiet" in without.err
+    assert "no plugin that is loaded has constraints of the namespace 'urn:hush:1'" in without.err
     install("quiet_plugin", CONSTRAINT)
     assert layoutkit("inspect", house).code == 0
-    assert "Demands nothing, in a loud voice." in layoutkit("schema").out
+    assert "Demands nothing, in a loud voice." in layoutkit("schema", "--namespace", "hush").out
+    assert 'ref="hush:quiet"' in layoutkit("schema").out
+    house.write_text(house.read_text().replace(element, "<quiet/>"))
+    plain = layoutkit("inspect", house)
+    assert plain.code == 1
+    assert 'hint: write <hush:quiet xmlns:hush="urn:hush:1" ...>' in plain.err
 
 
 def test_schema_goes_to_stdout_or_a_file(tmp_path: Path, layoutkit: Any) -> None:

@@ -18,7 +18,7 @@ from layoutkit.constraints import (
     Size,
     Symmetry,
 )
-from layoutkit.constraints.generated import Generator
+from layoutkit.constraints.generator import Generator
 from layoutkit.diagnostics import Diagnostic, Place
 from layoutkit.model import Extent, Facade, Measure, RegionSet, Word
 

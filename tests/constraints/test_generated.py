@@ -27,7 +27,7 @@ from layoutkit.constraints import Sequence as SequenceConstraint
 from layoutkit.constraints.chains import Inexpressible
 from layoutkit.constraints.defaults import InputWord, default_words, effective_constraints
 from layoutkit.constraints.expansion import as_written, expanded, sequences_of
-from layoutkit.constraints.generated import Generator, Given
+from layoutkit.constraints.generator import Generator, Given
 from layoutkit.constraints.generators import repetition, reversal
 from layoutkit.constraints.pattern import Pattern
 from layoutkit.diagnostics import Diagnostic, Faulty, Place

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from layoutkit.constraints import BUILT_IN, Constraint, Instances, Sequence
-from layoutkit.constraints.checking import unkept
+from layoutkit.constraints.checking import checked
 from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.instances import original
 from layoutkit.constraints.word_rules import Bound, Variants
@@ -129,7 +129,7 @@ def test_a_soft_range_still_permits_to_vary() -> None:
     facade = house(soft, *FREE)
     layout = laid_out(facade, with_rows(facade, CORNICE, ONE, OTHER, NARROW, GROUND))
     assert layout.violations() == ()
-    assert [(v.constraint, v.amount) for v in unkept(layout, facade)] == [(soft, 1.0)]
+    assert [(v.constraint, v.amount) for v in checked(layout, facade).unkept] == [(soft, 1.0)]
     defaults = [c for c in effective_constraints(facade) if isinstance(c, Instances) and not c.soft]
     assert [(str(c.of), c.min, c.max) for c in defaults] == [("H/F", None, None)]
     hard = house(instances(), *FREE)

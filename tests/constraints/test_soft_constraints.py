@@ -10,9 +10,9 @@ import pytest
 from houses import floor, house, laid_out, with_rows
 
 from layoutkit.constraints import BUILT_IN, Constraint, Sequence, Size
-from layoutkit.constraints.checking import unkept
+from layoutkit.constraints.checking import checked
 from layoutkit.constraints.defaults import default_sizes
-from layoutkit.constraints.generated import Generator
+from layoutkit.constraints.generator import Generator
 from layoutkit.diagnostics import Severity
 from layoutkit.documents import check, facade_bytes, layout_bytes, read, save
 from layoutkit.model import Facade, Measure, Region, RegionSet, Word
@@ -36,7 +36,7 @@ def test_a_soft_constraint_is_no_fault() -> None:
     assert PIERS in [v.constraint for v in laid_out(house(PIERS), house(PIERS).root).violations()]
     layout = laid_out(facade, facade.root)
     assert layout.violations() == ()
-    missed = unkept(layout, facade)
+    missed = checked(layout, facade).unkept
     assert {v.constraint for v in missed} == {soft}
     assert {round(v.amount, 9) for v in missed} == {0.1}
     assert len(missed) == 9
@@ -44,7 +44,7 @@ def test_a_soft_constraint_is_no_fault() -> None:
 
 def test_kept_soft_constraints_are_not_mentioned() -> None:
     facade = house(replace(PIERS, max=Measure(1.1), weight=1.0), replace(PIERS, max=Measure(0.5), weight=2.0))
-    missed = unkept(laid_out(facade, facade.root), facade)
+    missed = checked(laid_out(facade, facade.root), facade).unkept
     assert {v.constraint for v in missed} == {facade.constraints[1]}
 
 
@@ -104,6 +104,6 @@ def test_a_soft_size_takes_the_place_of_the_default_range() -> None:
     root = with_rows(facade, replace(CORNICE, width=13.0), wide[0], wide[1])
     freed = replace(facade, constraints=(soft, *(Sequence(within=("H",), word=Word.parse("⊢ C F G ⊣")),)))
     assert laid_out(freed, root).violations() == ()
-    assert unkept(laid_out(freed, root), freed) == ()
+    assert checked(laid_out(freed, root), freed).unkept == ()
     both = house(soft, Size(of=RegionSet("H/F/P"), max=Measure(4.0)))
     assert [c for c in default_sizes(both) if str(c.of) == "H/F/P"] == []

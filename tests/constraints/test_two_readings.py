@@ -102,10 +102,10 @@ def test_rules_and_checker_agree(constraint: Constraint, root: Region) -> None:
 @settings(max_examples=100, deadline=None)
 @given(CONSTRAINTS.filter(lambda c: not isinstance(c, Sequence)), layouts(), st.floats(0.1, 9))
 def test_a_soft_constraint_is_read_alike(constraint: Constraint, root: Region, weight: float) -> None:
-    from layoutkit.constraints.checking import unkept
+    from layoutkit.constraints.checking import checked
 
     hard, soft = house(constraint), house(replace(constraint, weight=weight))
     broken = [v for v in laid_out(hard, root).violations() if v.constraint == constraint]
-    missed = unkept(laid_out(soft, root), soft)
+    missed = checked(laid_out(soft, root), soft).unkept
     assert [(v.path, v.message, v.amount) for v in missed] == [(v.path, v.message, v.amount) for v in broken]
     assert not any(v.constraint in soft.constraints for v in laid_out(soft, root).violations())

@@ -85,28 +85,32 @@ def test_the_examples_of_a_page(page: Path, tmp_path: Path, environment: dict[st
 
 
 def test_the_plugin_of_the_how_to_takes_part(tmp_path: Path, environment: dict[str, str]) -> None:
-    page = (ROOT / "docs" / "how-to" / "plugin.md").read_text(encoding="utf-8")
-    for file in _FILE.finditer(page):
-        target = tmp_path / file["name"]
+    page = (ROOT / "docs" / "how-to" / "plugin-constraints.md").read_text(encoding="utf-8")
+    files = {file["name"]: file["text"] for file in _FILE.finditer(page)}
+    for name, text in files.items():
+        target = tmp_path / name
         target.parent.mkdir(exist_ok=True)
-        target.write_text(file["text"], encoding="utf-8")
-    install_from(tmp_path / "slender", environment)
-    tutorial = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
-    house = next(file["text"] for file in _FILE.finditer(tutorial) if file["name"] == "house.xml")
-    slender = '<proportion of="@Window" least="75%"/>'
-    (tmp_path / "house.xml").write_text(house.replace("</constraints>", f"{slender}</constraints>"))
+        target.write_text(text, encoding="utf-8")
+    install_from(tmp_path / "corners", environment)
 
     def run(*arguments: str) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "layoutkit", *arguments]
+        command = [sys.executable, "-m", *arguments]
         return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
 
-    assert run("validate", "house.xml").returncode == 0
-    assert run("vary", "house.xml", "-n", "2", "--width", "90%", "-o", "out").returncode == 0
-    assert run("validate", "out/variation-01.xml", "out/variation-02.xml").returncode == 0
-    # 75 % of 2 m are 1.5 m: a size of at most 1.4 m cannot hold together with it.
-    tight = (tmp_path / "house.xml").read_text().replace('min="1.4" max="1.6"', 'min="1.3" max="1.4"')
+    assert run("layoutkit", "vary", "row.xml", "-n", "8", "--seed", "3", "-o", "out").returncode == 0
+    for variation in (tmp_path / "out").glob("variation-*.xml"):
+        symbols = re.findall(r'symbol="(\w+)"', variation.read_text())
+        assert (symbols[1], symbols[-1]) == ("Pier", "Pier")
+    # Only doors may stand at the ends now, and no sequence begins with one.
+    tight = files["row.xml"].replace('of="@Wall"', 'of="@Door"').replace("|- {Pier Window Door}", "|- Pier")
     (tmp_path / "tight.xml").write_text(tight)
-    assert run("vary", "tight.xml", "-n", "1", "-o", "none").returncode == 3
+    refused = run("layoutkit", "explain", "tight.xml")
+    assert refused.returncode == 3
+    assert "corners:ends" in refused.stderr
+    (suite,) = re.findall(r"```python\n(from corners import.*?)```", page, re.S)
+    (tmp_path / "test_ends.py").write_text(suite)
+    tested = run("pytest", "-q", "-p", "no:cacheprovider", "test_ends.py")
+    assert tested.returncode == 0, tested.stdout
 
 
 def test_the_command_of_the_readme(tmp_path: Path, environment: dict[str, str]) -> None:

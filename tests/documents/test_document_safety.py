@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from layoutkit.constraints import BUILT_IN, Constraint
 from layoutkit.diagnostics import Faulty
-from layoutkit.documents import check, files, save, tree
+from layoutkit.documents import check, files, parsing, save, source, tree
 from layoutkit.documents.tree import parse
 
 Kinds = Mapping[str, type[Constraint]]
@@ -61,8 +61,8 @@ def nested(depth: int) -> str:
 
 
 def test_depth(written: Callable[..., Path]) -> None:
-    assert codes(written(nested(tree.DEPTH_LIMIT))) == []
-    assert codes(written(nested(tree.DEPTH_LIMIT + 1))) == ["LK005"]
+    assert codes(written(nested(parsing.DEPTH_LIMIT))) == []
+    assert codes(written(nested(parsing.DEPTH_LIMIT + 1))) == ["LK005"]
     assert codes(written("<a>" * 1_000_000)) == ["LK005"]
 
 
@@ -85,7 +85,7 @@ def test_replicas_of_replicas(written: Callable[..., Path]) -> None:
 
 
 def test_size_of_files(written: Callable[..., Path], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(files, "SIZE_LIMIT", 1000)
+    monkeypatch.setattr(source, "STREAM_LIMIT", 1000)
     assert codes(written("<a/>" + " " * 996)) == ["LK101"]
     assert codes(written("<a/>" + " " * 997)) == ["LK007"]
 
@@ -106,21 +106,21 @@ def test_a_layout_that_names_itself(written: Callable[..., Path]) -> None:
 
 
 @given(st.binary(max_size=200) | st.text(max_size=100).map(str.encode))
-def test_any_bytes_are_read_or_refused(source: bytes) -> None:
+def test_any_bytes_are_read_or_refused(data: bytes) -> None:
     with contextlib.suppress(Faulty):
-        assert parse(source, "x").name
+        assert parse(data, "x").name
 
 
 @given(st.data())
 def test_any_damage_is_survived(data: st.DataObject) -> None:
     """Cut, double or exchange parts of a good document: there are diagnostics, or there is nothing to say."""
-    source = GOOD
+    damaged = GOOD
     for _ in range(data.draw(st.integers(1, 3))):
-        start, end = sorted(data.draw(st.tuples(*[st.integers(0, len(source))] * 2)))
-        new = data.draw(st.sampled_from((b"", source[start:end] * 2, b"nan", b"<region/>", b'"', b"&#0;")))
-        source = source[:start] + new + source[end:]
+        start, end = sorted(data.draw(st.tuples(*[st.integers(0, len(damaged))] * 2)))
+        new = data.draw(st.sampled_from((b"", damaged[start:end] * 2, b"nan", b"<region/>", b'"', b"&#0;")))
+        damaged = damaged[:start] + new + damaged[end:]
     folder = Path(os.environ["PYTEST_DAMAGED"])
-    save(folder / "damaged.xml", source)
+    save(folder / "damaged.xml", damaged)
     assert all(d.code and d.place for d in check(folder / "damaged.xml", KINDS))
 
 

@@ -9,7 +9,7 @@ from layoutkit.constraints import Constraint, Instances, Size
 from layoutkit.constraints import Sequence as SequenceConstraint
 from layoutkit.constraints.defaults import InputWord
 from layoutkit.constraints.expansion import sequences_of
-from layoutkit.constraints.generated import Generator
+from layoutkit.constraints.generator import Generator
 from layoutkit.constraints.generators import framed
 from layoutkit.constraints.size import input_size
 from layoutkit.constraints.view import LayoutView

@@ -19,7 +19,7 @@ from layoutkit.constraints import Instances, Repetition, Size
 from layoutkit.constraints import Sequence as SequenceConstraint
 from layoutkit.constraints.covering import Piece
 from layoutkit.constraints.expansion import expanded
-from layoutkit.constraints.generated import Generator
+from layoutkit.constraints.generator import Generator
 from layoutkit.constraints.pattern import Either, Marked, One, Pattern
 from layoutkit.model import Facade, Region
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from layoutkit.constraints import Constraint, Frequency, Sequence, Size
-from layoutkit.constraints.checking import unkept
+from layoutkit.constraints.checking import checked
 from layoutkit.hooks import Outcome
 from layoutkit.model import Facade, Layout, Measure, Region, RegionSet, Word
 from layoutkit_relayout.stage import Relayout, RelayoutOptions
@@ -46,7 +46,9 @@ def test_the_weightier_one_is_kept(heavy: str, light: str) -> None:
     notes = [d for outcome in outcomes for d in outcome.diagnostics]
     assert [(d.code, f'of="{light}"' in d.message) for d in notes] == [("LK603", True)], "it is said once"
     assert isinstance(outcomes[0].document, Layout)
-    assert {str(v.constraint) for v in unkept(outcomes[0].document, facade)} == {str(at_least(light, 3, 1.0))}
+    assert {str(v.constraint) for v in checked(outcomes[0].document, facade).unkept} == {
+        str(at_least(light, 3, 1.0))
+    }
 
 
 def test_of_equal_ones_the_earlier_one_is_kept_and_later_ones_that_fit_with_it() -> None:

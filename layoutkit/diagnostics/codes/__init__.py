@@ -2,12 +2,13 @@
 
 One file a group: LK0 files and safety, LK1 structure, LK2 references and constraints, LK3 conversion, LK4
 plugins, LK5 layouts against facades, LK6 search, LK7 usage, LK8 masses and buildings, LK9 our own faults. A
-code keeps its meaning for good; retired ones are not given out again.
+code keeps its meaning for good; retired ones are not given out again. Examples stand in `examples`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from layoutkit.diagnostics.codes import (
     buildings,
@@ -22,6 +23,7 @@ from layoutkit.diagnostics.codes import (
     usage,
 )
 from layoutkit.diagnostics.codes.code import Code
+from layoutkit.diagnostics.codes.examples import EXAMPLES
 
 __all__ = ["CODES", "Code"]
 
@@ -38,5 +40,7 @@ _GROUPS = (
     ours,
 )
 
-#: Every code, in order.
-CODES: Mapping[str, Code] = {entry.code: entry for group in _GROUPS for entry in group.CODES}
+#: Every code, in order, with its example where there is one.
+CODES: Mapping[str, Code] = {
+    entry.code: replace(entry, example=EXAMPLES.get(entry.code)) for group in _GROUPS for entry in group.CODES
+}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from layoutkit.diagnostics.codes.examples.example import Example
 from layoutkit.diagnostics.diagnostic import Severity
 
 
@@ -25,6 +26,8 @@ class Code:
         What to do.
     severity
         What it is reported as, unless the reporter has reason to differ.
+    example
+        A case of it, and the same case mended; `UNSHOWN` says of which codes there is none.
     """
 
     code: str
@@ -33,3 +36,4 @@ class Code:
     cause: str
     remedy: str
     severity: Severity = Severity.ERROR
+    example: Example | None = None

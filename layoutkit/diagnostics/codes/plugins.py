@@ -63,9 +63,17 @@ CODES = (
     Code(
         "LK408",
         "unknown plugin disabled",
-        "LAYOUTKIT_DISABLE_PLUGINS names a plugin that is not installed.",
+        "LAYOUTKIT_DISABLE_PLUGINS, or the option --without, names a plugin that is not installed.",
         "A misspelt name.",
         "Correct it; `layoutkit plugins` lists the names.",
+        Severity.WARNING,
+    ),
+    Code(
+        "LK409",
+        "plugin for another version of the interface",
+        "The plugin states a version of the plugin interface other than this layoutkit's, and is skipped.",
+        "layoutkit upgraded, and the plugin not; or the other way round.",
+        "Upgrade the one that the hint names.",
         Severity.WARNING,
     ),
 )

@@ -1,8 +1,9 @@
-"""References and constraints: names, ranges, sums, and what a constraint needs (LK2)."""
+"""References and constraints: names, ranges, sums, what a constraint needs and what it means (LK2)."""
 
 from __future__ import annotations
 
 from layoutkit.diagnostics.codes.code import Code
+from layoutkit.diagnostics.diagnostic import Severity
 
 CODES = (
     Code(
@@ -146,5 +147,71 @@ CODES = (
         "A replication repeats what the input has, and the input has no such run.",
         "Symbols in another order.",
         "Write a run of the input, or a sequence for one that it lacks.",
+    ),
+    Code(
+        "LK224",
+        "sizes that cannot add up",
+        "What regions ask for inside another never adds up to what that one may have: it can have no size. "
+        "That is an error if every layout needs the region, else a warning.",
+        "A maximum lowered, and no minimum inside; or the other way round.",
+        "Make up for what is missing, as the hint says: raise the maximum, or lower minima inside.",
+    ),
+    Code(
+        "LK225",
+        "no arrangement left",
+        "The sequences of a region admit no arrangement, or none of theirs satisfies what else is asked of "
+        "it: a symmetry, a frequency, another region's arrangement. That is an error if every layout needs "
+        "the region, else a warning.",
+        "No sequence that begins with ⊢, or none that ends with ⊣; a count that no arrangement has.",
+        "Add a sequence that closes the gap, or loosen what else is asked.",
+    ),
+    Code(
+        "LK226",
+        "constraints that contradict each other",
+        "The constraints cannot hold together in any layout, whatever its size.",
+        "Two ranges of one region that do not meet; a size asked of a region that a lock keeps at another.",
+        "Loosen one of those that the message lists, by the amount named.",
+    ),
+    Code(
+        "LK227",
+        "no layout of the facade's own size",
+        "It is proved that no layout is as wide and as high as the facade itself; others may exist.",
+        "Constraints written for another size; constraints that the input itself does not keep.",
+        "Ask for the size that the hint names, or loosen one of the constraints listed.",
+        Severity.WARNING,
+    ),
+    Code(
+        "LK228",
+        "symbol out of reach",
+        "No arrangement that a region can have contains the symbol: it is in no layout, nor is what is "
+        "inside. Constraints that speak of nothing else ask nothing.",
+        "Sequences that were written before the region was added.",
+        "Add a sequence with the symbol that overlaps others, or delete what is not meant.",
+        Severity.WARNING,
+    ),
+    Code(
+        "LK229",
+        "constraint that never matters",
+        "No layout can activate the constraint: what it speaks of cannot be there, or it asks nothing of it.",
+        "An alignment of regions that stand side by side; a frequency without min and max.",
+        "Say it of what a layout can have, or delete it.",
+        Severity.WARNING,
+    ),
+    Code(
+        "LK230",
+        "neighbours that no arrangement has",
+        "A sequence, a run or a context is in no arrangement that its region can have.",
+        "A sequence that no other one overlaps; a context read in the wrong direction.",
+        "Write the neighbours as an arrangement can have them, or allow these by a further sequence.",
+        Severity.WARNING,
+    ),
+    Code(
+        "LK231",
+        "label nearly named",
+        "No constraint names the label, and it differs from one that constraints name by its case, or by one "
+        "letter. Labels that no constraint names, and that are like none, are no fault.",
+        "Window in one region, window in another.",
+        "Write one name for both, if both are meant.",
+        Severity.NOTE,
     ),
 )

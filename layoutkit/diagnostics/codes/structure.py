@@ -89,4 +89,11 @@ CODES = (
         "A width given to the child of a rows region.",
         "Delete the attribute.",
     ),
+    Code(
+        "LK113",
+        "constraint of an unknown namespace",
+        "No plugin that is loaded has constraints of the element's namespace.",
+        "A plugin that is not installed, is disabled, or could not be loaded; or a misspelt namespace.",
+        "Install or enable the plugin, or correct the namespace; `layoutkit plugins` lists what is loaded.",
+    ),
 )

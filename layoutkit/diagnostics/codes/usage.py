@@ -50,10 +50,33 @@ CODES = (
         "Leave the size away, or change the mass.",
     ),
     Code(
+        "LK707",
+        "setting that cannot be read",
+        "An environment variable holds what its setting cannot be.",
+        "A unit behind a number.",
+        "Delete the variable, or write what the message asks for.",
+        Severity.WARNING,
+    ),
+    Code(
         "LK710",
         "no such sample",
         "No shipped facade has that name.",
         "A misspelt name.",
         "Correct it; `layoutkit samples` lists them.",
+    ),
+    Code(
+        "LK711",
+        "nothing to check",
+        "A folder holds no document, or no document is of a pattern.",
+        "A folder of other files, or a pattern that starts from another folder.",
+        "Name the folder that holds the documents.",
+    ),
+    Code(
+        "LK712",
+        "files of other kinds left out",
+        "Folders and patterns hold XML files that are no documents of layoutkit; they are not checked.",
+        "Annotations, or the settings of other programs, beside documents.",
+        "Nothing is needed; a file that is named by itself is checked all the same.",
+        Severity.NOTE,
     ),
 )

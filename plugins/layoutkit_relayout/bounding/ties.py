@@ -6,8 +6,7 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
-from layoutkit.constraints import Alignment, SameSize
-from layoutkit.constraints.alignment import LINES
+from layoutkit.constraints.claims import EquallyLarge, InLine
 from layoutkit.model import Extent
 from layoutkit_relayout.bounding.program import Terms
 from layoutkit_relayout.bounding.relaxed import Making
@@ -18,12 +17,12 @@ _TOLERANCE = 1e-6
 
 def tie(making: Making) -> None:
     """Add the rows of all ties that do not hang on the order of words."""
-    for constraint in making.vocabulary.same_sizes:
-        _equal(making, constraint)
+    for claim in making.vocabulary.same_sizes:
+        _equal(making, claim)
     for path in making.certain:
         _mirror(making, path)
-    for alignment in (c for c in making.model.constraints if isinstance(c, Alignment)):
-        _align(making, alignment)
+    for line in (claim for claim in making.model.claims if isinstance(claim, InLine)):
+        _align(making, line)
 
 
 def _there(making: Making, path: str, axis: int) -> bool:
@@ -51,19 +50,16 @@ def _occurs(making: Making, parent: str, letters: str | tuple[str, ...]) -> bool
     return low >= 1
 
 
-def _equal(making: Making, constraint: SameSize) -> None:
+def _equal(making: Making, claim: EquallyLarge) -> None:
     """State sizes that are equal wherever regions are."""
-    forms = []
-    for extent in (constraint.first, constraint.second):
-        if extent is not None:
-            forms += list(_extents(making, extent, constraint))
+    forms = [form for extent in claim.extents for form in _extents(making, extent, claim)]
     for form in forms[1:]:
         _same(making, forms[0], form)
 
 
-def _extents(making: Making, extent: Extent, constraint: SameSize) -> Iterator[Terms]:
+def _extents(making: Making, extent: Extent, claim: EquallyLarge) -> Iterator[Terms]:
     """Yield the sizes that are surely there."""
-    within, axis = constraint.within, constraint.axis
+    within, axis = claim.within, claim.axis
     paths = making.model.facade.select(extent.regions) if extent.regions is not None else ()
     for path in paths:
         if (within is None or path.startswith(f"{within}/")) and _there(making, path, axis):
@@ -104,30 +100,20 @@ def _mirror(making: Making, path: str) -> None:
                 _same(making, *({making.sizes[child, axis]: 1.0} for child in pair))
 
 
-def _align(making: Making, alignment: Alignment) -> None:
+def _align(making: Making, line: InLine) -> None:
     """State what can be in line, for each two regions that take up the same length.
 
     Wherever regions of both sets overlap, their lines coincide: so each overlaps at most one of the others.
     What is not taken up by other regions has to be shared by such pairs.
     """
-    contexts = (
-        alignment.first_before,
-        alignment.first_after,
-        alignment.second_before,
-        alignment.second_after,
-    )
-    if alignment.within is not None or any(context is not None for context in contexts):
+    if line.within is not None:
         return
-    axis = alignment.axis
-    shares = {LINES[line][1] for line in alignment.lines}
-    first, second = (
-        _by_parent(making, making.model.facade.select(regions), axis)
-        for regions in (alignment.first, alignment.second)
-    )
+    axis = line.axis
+    first, second = (_by_parent(making, paths, axis) for paths in (line.first, line.second))
     for one, own in first.items():
         for other, others in second.items():
             if one != other and making.sizes[one, axis] == making.sizes[other, axis]:
-                _meet(making, (own, others), making.sizes[one, axis], len(shares) > 1)
+                _meet(making, (own, others), making.sizes[one, axis], len(set(line.shares)) > 1)
 
 
 def _by_parent(making: Making, paths: Sequence[str], axis: int) -> Mapping[str, list[str]]:

@@ -7,7 +7,7 @@ from itertools import product
 
 import numpy as np
 
-from layoutkit.constraints import SameSize
+from layoutkit.constraints.claims import EquallyLarge
 from layoutkit.model import Extent
 from layoutkit_relayout.bounding.flows import Flow, flow_of, tallies
 from layoutkit_relayout.model import Interval, Model
@@ -27,13 +27,7 @@ class Vocabulary:
 
     def __init__(self, model: Model, size: tuple[float, float]) -> None:
         self.model, self.size = model, size
-        self.same_sizes = [
-            c
-            for c in model.constraints
-            if isinstance(c, SameSize)
-            and not any((c.first_before, c.first_after, c.second_before, c.second_after))
-        ]
-
+        self.same_sizes = [claim for claim in model.claims if isinstance(claim, EquallyLarge)]
         self._flows: dict[Machine, Flow] = {}
         self._tallies: dict[tuple[object, ...], Ints | None] = {}
         self._runs: dict[WordGroup, tuple[tuple[str, ...], ...]] = {}
@@ -77,7 +71,7 @@ class Vocabulary:
     def runs(self, group: WordGroup) -> tuple[tuple[str, ...], ...]:
         """Return the runs of letters, of two or more, whose sizes are spoken of."""
         if group not in self._runs:
-            extents = [e for c in self.same_sizes for e in (c.first, c.second) if e is not None]
+            extents = [extent for claim in self.same_sizes for extent in claim.extents]
             found = [
                 run for e in extents for p in e.paths if p in group.members for run in self.spelled(e, p)
             ]

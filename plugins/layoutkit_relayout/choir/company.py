@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import takewhile
 
-from layoutkit.constraints import Alignment
-from layoutkit.constraints.alignment import LINES
+from layoutkit.constraints.claims import InLine
 from layoutkit_relayout.choir.voices import NEAR
 from layoutkit_relayout.model import Model
 from layoutkit_relayout.words.groups import WordGroup
@@ -110,15 +109,12 @@ class Company:
     def _partners(self) -> tuple[dict[str, dict[str, list[tuple[float, ...]]]], ...]:
         """For each axis and path, the paths that it may have to be in line with, and by which lines."""
         found: tuple[dict[str, dict[str, list[tuple[float, ...]]]], ...] = {}, {}
-        for constraint in self.model.constraints:
-            if isinstance(constraint, Alignment) and not _in_context(constraint):
-                lines = tuple(LINES[line][1] for line in constraint.lines)
-                sides = [self.model.facade.select(s) for s in (constraint.first, constraint.second)]
-                for one, other in (sides, sides[::-1]):
-                    for path in one:
-                        for partner in other:
-                            known = found[constraint.axis].setdefault(path, {})
-                            known.setdefault(partner, []).append(lines)
+        for claim in (claim for claim in self.model.claims if isinstance(claim, InLine)):
+            for one, other in ((claim.first, claim.second), (claim.second, claim.first)):
+                for path in one:
+                    for partner in other:
+                        known = found[claim.axis].setdefault(path, {})
+                        known.setdefault(partner, []).append(claim.shares)
         return found
 
     def lines(self, one: WordGroup, letter: str, other: WordGroup, another: str) -> tuple[Line, ...]:
@@ -163,14 +159,3 @@ class Company:
                     start = after
             self._insides[key] = tuple(found)
         return self._insides[key]
-
-
-def _in_context(constraint: Alignment) -> bool:
-    """Tell whether it only speaks of some occurrences: which ones is not known before the words are there."""
-    sides = (
-        constraint.first_before,
-        constraint.first_after,
-        constraint.second_before,
-        constraint.second_after,
-    )
-    return any(context is not None for context in sides)

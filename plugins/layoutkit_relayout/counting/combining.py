@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
+from layoutkit.constraints.claims import Frame
 from layoutkit_relayout.counting.effort import Effort
 from layoutkit_relayout.counting.laying import Asked, Laying
 from layoutkit_relayout.counting.profiles import Profile
@@ -15,7 +16,6 @@ from layoutkit_relayout.counting.programs import NEAR, Sum, Unknown, left_open
 from layoutkit_relayout.counting.systems import Link, Spread, System, Systems, united
 from layoutkit_relayout.counting.tables import Open
 from layoutkit_relayout.counting.tally import Tally
-from layoutkit_relayout.counting.ties import Frame
 from layoutkit_relayout.counting.ways import Either, Perhaps, Together, Ways
 from layoutkit_relayout.model import Interval
 

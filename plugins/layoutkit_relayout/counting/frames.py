@@ -6,10 +6,10 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from layoutkit.constraints.claims import Frame
 from layoutkit.sizing.arrangement import Arrangement
 from layoutkit.sizing.rules import SIZE, UNIT, Form, Range
 from layoutkit_relayout.counting.parts import fixed_frames
-from layoutkit_relayout.counting.ties import Frame
 from layoutkit_relayout.model import Interval, Model
 
 

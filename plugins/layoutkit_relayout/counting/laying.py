@@ -10,6 +10,7 @@ from math import prod
 import numpy as np
 
 from layoutkit.constraints import Constraint
+from layoutkit.constraints.claims import Frame
 from layoutkit.sizing.arrangement import AXIS, add
 from layoutkit.sizing.rules import Range, SizeRule
 from layoutkit.sizing.solve import Axis, Budget, size_axis
@@ -19,7 +20,7 @@ from layoutkit_relayout.counting.profiles import Profile
 from layoutkit_relayout.counting.programs import Sum
 from layoutkit_relayout.counting.systems import Link, System, Systems
 from layoutkit_relayout.counting.tables import Open, Word
-from layoutkit_relayout.counting.ties import Frame, Tie
+from layoutkit_relayout.counting.ties import Tie
 from layoutkit_relayout.counting.ways import Choice, Either, Listed, Perhaps, Together, Ways
 from layoutkit_relayout.model import Interval
 from layoutkit_relayout.sizes.draws import Distributions

@@ -7,7 +7,8 @@ from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from layoutkit_relayout.counting.ties import Frame, Tie, above, ties_of
+from layoutkit.constraints.claims import Frame
+from layoutkit_relayout.counting.ties import Tie, above, ties_of
 from layoutkit_relayout.model import Model
 from layoutkit_relayout.words.groups import WordGroup
 

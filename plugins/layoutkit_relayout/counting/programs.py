@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from layoutkit.constraints.claims import Frame
 from layoutkit.sizing.backends import refutation
 from layoutkit.sizing.qp import QP, Floats
-from layoutkit_relayout.counting.ties import Frame
 from layoutkit_relayout.model import Interval
 
 #: Sizes are equal, and rows hold, to this share of the facade's size.

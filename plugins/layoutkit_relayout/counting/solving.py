@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 
+from layoutkit.constraints.claims import Frame
 from layoutkit_relayout.counting.combining import Combining
 from layoutkit_relayout.counting.parts import Joined
 from layoutkit_relayout.counting.systems import Link, Spread, System
-from layoutkit_relayout.counting.ties import Frame
 from layoutkit_relayout.counting.ways import Either, Together, Ways
 
 Links = tuple[Link, ...]

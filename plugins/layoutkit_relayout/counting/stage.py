@@ -5,11 +5,15 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.diagnostics import Diagnostic, Severity
+from layoutkit.hooks.builtin import layoutkit_qp_backends
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Count, Facade, Measure
+
+if TYPE_CHECKING:
+    from layoutkit.sizing.qp import Backend
 
 #: Programs solved, about, before the rest is left as a bound.
 EFFORT = 20_000
@@ -27,11 +31,14 @@ class CountOptions:
         The size in question, absolute or a percentage of the input's.
     effort
         What may be spent: programs solved, about. What is then not decided is left as a bound.
+    backends
+        Solvers of quadratic programs, in the order in which they are asked.
     """
 
     width: Measure = field(default=Measure(1.0, relative=True))
     height: Measure = field(default=Measure(1.0, relative=True))
     effort: int = EFFORT
+    backends: tuple[Backend, ...] = field(default_factory=layoutkit_qp_backends)
 
 
 class CountArrangements(Stage):
@@ -50,7 +57,6 @@ class CountArrangements(Stage):
 
 
 def _outcome(facade: Facade, options: CountOptions) -> Outcome:
-    from layoutkit.sizing.backends import BACKENDS
     from layoutkit_relayout.counting.counted import counted
     from layoutkit_relayout.search.wishes import granted
     from layoutkit_relayout.stage import layout_size, left_out, too_many
@@ -59,7 +65,7 @@ def _outcome(facade: Facade, options: CountOptions) -> Outcome:
     start = time.perf_counter()
     size = layout_size(facade, options.width, options.height)
     try:
-        wishes = granted(facade, size, BACKENDS, NODE_LIMIT)
+        wishes = granted(facade, size, options.backends, NODE_LIMIT)
         count = counted(wishes.search, options.effort)
         remarks = tuple(left_out(wishes))
     except TooManyStates as error:

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from layoutkit.constraints import Constraint, Frequency
-from layoutkit.sizing.rules import Range, SizeRule
+from layoutkit.constraints import Constraint
+from layoutkit.constraints.claims import Frame, counted
+from layoutkit.diagnostics.blame import Misbehaviour
+from layoutkit.sizing.answers import size_rules_of
+from layoutkit.sizing.rules import Convex, Range, Rows, SizeRule
 from layoutkit_relayout.counting.frames import Framed, Frames, Row
 from layoutkit_relayout.counting.parts import Part
 from layoutkit_relayout.counting.profiles import Profile
 from layoutkit_relayout.counting.programs import NEAR, Sum
 from layoutkit_relayout.counting.tables import Open, Tables, Word
-from layoutkit_relayout.counting.ties import Frame, Tie
+from layoutkit_relayout.counting.ties import Tie
 from layoutkit_relayout.counting.ways import Ways
 from layoutkit_relayout.model import Interval, Model, meet
 
@@ -78,7 +81,7 @@ class Systems:
     def __init__(self, model: Model, parts: Sequence[Part], tables: Tables, frames: Frames) -> None:
         self.model, self.tables, self.frames = model, tables, frames
         # What frequencies ask of sizes is told with the counts.
-        self.constraints = tuple(c for c in model.constraints if not isinstance(c, Frequency))
+        self.constraints = tuple(c for c in model.constraints if not counted(c, model.facade))
         self.tied = {id(tie.origin): tie for part in parts for tie in part.ties if tie.origin is not None}
         self._spoken = {part: [c for c in self.constraints if self._asks(c, part)] for part in parts}
 
@@ -127,7 +130,15 @@ class Systems:
 
     def rules(self, arrangement: Framed, constraints: Iterable[Constraint]) -> list[SizeRule]:
         """Return what some constraints, and the words themselves, ask of an arrangement."""
-        return [*(rule for c in constraints for rule in c.size_rules(arrangement)), *arrangement.tilings]
+        return [*(rule for c in constraints for rule in self._asked(c, arrangement)), *arrangement.tilings]
+
+    def _asked(self, constraint: Constraint, arrangement: Framed) -> Iterator[SizeRule]:
+        """Yield what a constraint asks of sizes, as long as that can be gone by."""
+        for rule in size_rules_of(constraint, arrangement):
+            if isinstance(rule, Rows | Convex) and constraint.relations(self.model.facade) is not None:
+                what = "says what its rules relate, and has one that counts cannot go by: leave that unsaid"
+                raise Misbehaviour(constraint, what)
+            yield rule
 
     def filled(self, own: Open, profile: Profile) -> Iterator[Sum]:
         """Yield how the words of a profile fill each member."""
@@ -150,7 +161,7 @@ class Systems:
         words = {path: word for own, profile in chosen for path, word in own.example(profile).items()}
         arrangement = self.arrangement({**system.words, **words})
         constraints = [tie.origin for tie in link.ties if tie.origin is not None]
-        rules = [r for c in constraints for r in c.size_rules(arrangement) if isinstance(r, Range)]
+        rules = [r for c in constraints for r in self._asked(c, arrangement) if isinstance(r, Range)]
         for row in self.frames.rows(arrangement, rules):
             yield Sum(row.factors, row.least, row.most)
 

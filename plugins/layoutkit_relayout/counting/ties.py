@@ -6,29 +6,23 @@ hangs on the words in two ways only, as long as no constraint asks for more:
 - A composite region's children add up to it along its split: only how often each letter occurs matters.
 - Across its split, its children are as large as it is: only which letters occur matters.
 
-For each built-in kind of constraint it is said here which frames it relates, and whether the order of letters
-matters to it. Of other kinds nothing is known: they are taken to relate everything.
+Each constraint says which frames its rules relate, and whether the order of letters matters to it. One that
+does not is taken to relate everything.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
-from layoutkit.constraints import Alignment, Constraint, Frequency, SameSize, Size, Symmetry
-from layoutkit.constraints.instances import Instances
-from layoutkit.constraints.lock import Lock
+from layoutkit.constraints import Constraint
+from layoutkit.constraints.claims import Even, Frame, counted
 from layoutkit.constraints.word_rules import Counts
-from layoutkit.model import Extent, Word
 from layoutkit_relayout.model import Model
 from layoutkit_relayout.words.groups import WordGroup
-from layoutkit_relayout.words.variants import MARK
 
-#: A region's symbol path and an axis: its size along that axis.
-Frame = tuple[str, int]
 #: Two regions along one axis whose words agree: divided at the same places, they are in line in any order.
-Even = tuple[str, str]
+Pair = tuple[str, str]
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +56,7 @@ class Tie:
     frames: frozenset[Frame]
     groups: frozenset[WordGroup] = frozenset()
     ordered: frozenset[WordGroup] = frozenset()
-    even: frozenset[Even] | None = frozenset()
+    even: frozenset[Pair] | None = frozenset()
     origin: Constraint | None = None
     counts: Counts | None = None
     paths: frozenset[str] = frozenset()
@@ -111,7 +105,7 @@ def _divided(path: str, asked: set[Frame], model: Model) -> Iterator[Tie]:
 def _counted(rule: Counts, model: Model) -> Tie:
     """Return a frequency, which hangs on every word that leads to a counted region."""
     relative = any(end.relative and end.value > 0 for end in (rule.least, rule.most))
-    if relative and any(type(constraint) is not Frequency for constraint in rule.origin):
+    if relative and not all(counted(constraint, model.facade) for constraint in rule.origin):
         return _everything(model, None)
     frames = frozenset({(rule.path, model.axis(rule.path))} if relative else ())
     groups = _counting(rule.path, rule.counted, model)
@@ -127,11 +121,38 @@ def _counting(path: str, counted: frozenset[str], model: Model) -> frozenset[Wor
 
 def _spoken(constraint: Constraint, model: Model) -> Iterator[Tie]:
     """Yield the ties that a constraint's demands on sizes amount to."""
-    kind = type(constraint)
-    if kind in _KINDS:
-        yield from _KINDS[kind](constraint, model)
-    elif kind.size_rules is not Constraint.size_rules:
+    relations = constraint.relations(model.facade)
+    if relations is None:
         yield _everything(model, constraint)
+        return
+    for relation in relations:
+        ordered = _groups(relation.ordered, model)
+        yield Tie(
+            relation.frames,
+            ordered | _groups(relation.words, model),
+            ordered,
+            _even(relation.evens, model) if ordered else frozenset(),
+            constraint if relation.whole else None,
+            paths=relation.paths,
+            aligned=relation.apart,
+        )
+
+
+def _groups(paths: Iterable[str], model: Model) -> frozenset[WordGroup]:
+    return _open(model.group_of[path] for path in paths)
+
+
+def _even(evens: Iterable[Even | None], model: Model) -> frozenset[Pair] | None:
+    """Return the regions that have to be divided alike; None where the order matters however they are."""
+    found: set[Pair] = set()
+    for even in evens:
+        groups = _groups(even.ordered, model) if even is not None else frozenset()
+        if even is not None and not groups:
+            continue
+        if even is None or len(groups) > 1 or {model.group_of[head] for head in even.heads} != groups:
+            return None
+        found.add(even.heads)
+    return frozenset(found)
 
 
 def _everything(model: Model, origin: Constraint | None) -> Tie:
@@ -149,173 +170,3 @@ def above(model: Model, path: str) -> Iterator[WordGroup]:
     while path := path.rpartition("/")[0]:
         if model.group_of[path].forced is None:
             yield model.group_of[path]
-
-
-def _instances(constraint: Instances, model: Model) -> Iterator[Tie]:
-    """Yield the parents whose sizes a relative range hangs on, with the instances that their words name."""
-    if any(end is not None and end.relative for end in (constraint.min, constraint.max)):
-        parents = {path.rpartition("/")[0] for path in constraint.paths(model.facade)}
-        frames = frozenset((parent, model.axis(parent)) for parent in parents)
-        yield Tie(frames, _open(model.group_of[parent] for parent in parents), origin=constraint)
-
-
-def _none(constraint: Size | Frequency, model: Model) -> Iterator[Tie]:
-    """Yield nothing: a region's own range ties it to no other; frequencies are told from their rules."""
-    return iter(())
-
-
-def _same_size(constraint: SameSize, model: Model) -> Iterator[Tie]:
-    """Yield all extents together: which of them there are hangs on which regions occur, if on no more.
-
-    Where there is a run, or a context, the order of letters says which they are.
-    """
-    frames: set[Frame] = set()
-    ordered: set[WordGroup] = set()
-    contexts = (
-        (constraint.first, constraint.first_before, constraint.first_after),
-        (constraint.second, constraint.second_before, constraint.second_after),
-    )
-    for extent, before, after in contexts:
-        if extent is None:
-            continue
-        parents = _parents(extent, model)
-        if extent.regions is not None:
-            frames |= {(path, constraint.axis) for path in model.facade.select(extent.regions)}
-        else:
-            symbols = [(parent, model.group_of[parent].symbols[parent].values()) for parent in parents]
-            frames |= {(f"{p}/{symbol}", constraint.axis) for p, own in symbols for symbol in own}
-        if extent.regions is None or before is not None or after is not None:
-            ordered |= {model.group_of[parent] for parent in parents}
-    groups = _open(ordered)
-    paths = frozenset((constraint.within,) if constraint.within else ())
-    yield Tie(frozenset(frames), groups, groups, None if groups else frozenset(), constraint, paths=paths)
-
-
-def _parents(extent: Extent, model: Model) -> list[str]:
-    if extent.regions is None:
-        return list(extent.paths)
-    return [p for path in model.facade.select(extent.regions) if (p := path.rpartition("/")[0])]
-
-
-def _symmetry(constraint: Symmetry, model: Model) -> Iterator[Tie]:
-    """Yield the children of each region with pairs: in a word that mirrors itself, both occur, or none.
-
-    Where one instance of a region may mirror another, the order says which ones do.
-    """
-    for path in constraint.of:
-        group = model.group_of[path]
-        symbols = group.symbols[path].values()
-        instances = any(MARK in symbol for symbol in symbols)
-        if constraint.pairs or instances:
-            frames = frozenset((f"{path}/{symbol}", model.axis(path)) for symbol in symbols)
-            ordered = _open((group,)) if instances else frozenset()
-            yield Tie(frames, ordered, ordered, None if ordered else frozenset())
-
-
-def _lock(constraint: Lock, model: Model) -> Iterator[Tie]:
-    """Yield sizes, and shares of what is inside, one by one; but all in one where places are kept."""
-    facade = model.facade
-    sizes = facade.select(constraint.of) if "size" in constraint.keep else ()
-    frames = [frozenset(((path, 0), (path, 1))) for path in sizes]
-    for path, region in constraint.kept_inside(facade).items():
-        children = {f"{path}/{symbol}" for symbol in region.word}
-        frames.append(frozenset((own, model.axis(path)) for own in (path, *children)))
-    placed = [path for copies in constraint.placed(facade).values() for path in copies]
-    if not placed:
-        yield from (Tie(own) for own in frames)
-        return
-    groups = _open({group for path in placed for group in above(model, path)})
-    anchored = [_placing(stem(model, path, axis), axis, model) for path in placed for axis in (0, 1)]
-    spans = {(path, axis) for path in placed for axis in (0, 1)}
-    everything = frozenset().union(*frames, *anchored, spans)
-    yield Tie(
-        everything, groups, groups, None if groups else frozenset(), constraint, paths=frozenset(placed)
-    )
-
-
-def _alignment(constraint: Alignment, model: Model) -> Iterator[Tie]:
-    """Yield all pairs together that may be out of line.
-
-    A region's place along an axis is that of the last region of its stem. Two stems that are equal stand in
-    the same place, or apart. Where they part at two children of one region, they stand apart. So only those
-    remain that part in different regions, which then span the same extent, or which end where the other goes
-    on; there the order of letters matters on the way from there.
-    """
-    axis = constraint.axis
-    sides = [
-        {stem(model, path, axis): path for path in model.facade.select(regions)}
-        for regions in (constraint.first, constraint.second)
-    ]
-    sets = [model.facade.select(regions) for regions in (constraint.first, constraint.second)]
-    frames: set[Frame] = set()
-    ordered: set[WordGroup] = set()
-    even: set[Even] | None = set()
-    for one, first in sides[0].items():
-        for other, second in sides[1].items():
-            base = _base(model, first, axis) == _base(model, second, axis)
-            common = _common(one, other) if base else 0
-            ways = one[common:], other[common:]
-            if base and (not any(ways) or (all(ways) and _parent(ways[0][0]) == _parent(ways[1][0]))):
-                continue
-            frames |= {(path, axis) for path in (first, second)} | _placing((*one, *other), axis, model)
-            groups = _open({model.group_of[_parent(path)] for way in ways for path in way})
-            ordered |= groups
-            if groups and even is not None:
-                heads = [_parent(way[0]) for way in ways if way]
-                alike = base and len(heads) == 2 and {model.group_of[head] for head in heads} == groups
-                alike = alike and len(groups) == 1
-                even = even | {(heads[0], heads[1])} if alike else None
-    contexts: tuple[Word | None, ...] = (constraint.first_before, constraint.first_after)
-    contexts += (constraint.second_before, constraint.second_after)
-    if any(context is not None for context in contexts) and frames:
-        ordered |= _open({model.group_of[p] for own in sets for path in own if (p := _parent(path))})
-        even = None if ordered else even
-    if frames:
-        paths = frozenset((*sets[0], *sets[1], *((constraint.within,) if constraint.within else ())))
-        found = None if even is None else frozenset(even)
-        groups = frozenset(ordered)
-        yield Tie(frozenset(frames), groups, groups, found, constraint, paths=paths, aligned=True)
-
-
-def stem(model: Model, path: str, axis: int) -> tuple[str, ...]:
-    """Return a region and all that it stands in, as far as their parents divide the axis; outermost first."""
-    steps = path.split("/")
-    own = ["/".join(steps[:number]) for number in range(2, len(steps) + 1)]
-    return tuple(path for path in own if model.axis(_parent(path)) == axis)
-
-
-def _placing(stem: Iterable[str], axis: int, model: Model) -> set[Frame]:
-    """Return all frames that say where the regions of a stem stand in their parents."""
-    parents = {_parent(path) for path in stem}
-    inside = {f"{p}/{symbol}" for p in parents for symbol in model.group_of[p].symbols[p].values()}
-    return {(path, axis) for path in (*parents, *inside)}
-
-
-def _base(model: Model, path: str, axis: int) -> object:
-    """Return what a region's place is measured from: the facade; on a building, how high its face stands."""
-    for face, box in model.facade.faces.items():
-        if axis == 1 and (path == face or path.startswith(f"{face}/")):
-            return box.y0, box.y1
-    return None
-
-
-def _common(one: tuple[str, ...], other: tuple[str, ...]) -> int:
-    number = 0
-    while number < min(len(one), len(other)) and one[number] == other[number]:
-        number += 1
-    return number
-
-
-def _parent(path: str) -> str:
-    return path.rpartition("/")[0]
-
-
-_KINDS: Mapping[type[Constraint], Callable[[Any, Model], Iterator[Tie]]] = {
-    Size: _none,
-    Frequency: _none,
-    SameSize: _same_size,
-    Symmetry: _symmetry,
-    Lock: _lock,
-    Instances: _instances,
-    Alignment: _alignment,
-}

@@ -2,25 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from typing import Literal, cast
 
-from layoutkit.constraints import Constraint, Frequency, Instances, Size
-from layoutkit.constraints.attributes import MEASURE
-from layoutkit.model import Facade, Measure, RegionSet
+from layoutkit.constraints import Constraint
+from layoutkit.constraints.attributes import MEASURE, NUMBER, Attribute
+from layoutkit.model import Facade, Measure
 
 End = Literal["min", "max"]
 ENDS: tuple[End, End] = ("min", "max")
 
-#: Kinds whose ranges are counts of regions.
-COUNTS = (Frequency, Instances)
-
 
 def end_of(constraint: Constraint, end: End) -> Measure | None:
     """Return an end of a constraint's range, where it has one that it could do without."""
-    declared = (a for a in constraint.attributes() if a.name == end and a.type is MEASURE and not a.required)
-    return next((cast("Measure | None", getattr(constraint, a.field_name)) for a in declared), None)
+    found = _declared(constraint, end)
+    return None if found is None else cast("Measure | None", getattr(constraint, found.field_name))
+
+
+def counts(constraint: Constraint, end: End) -> bool:
+    """Tell whether an end of a constraint's range is a number of regions, and no size."""
+    found = _declared(constraint, end)
+    return found is not None and found.type.counts
+
+
+def _declared(constraint: Constraint, end: End) -> Attribute | None:
+    ends = (a for a in constraint.attributes() if a.name == end and not a.required)
+    return next((a for a in ends if a.type in (MEASURE, NUMBER)), None)
 
 
 def ends_of(constraint: Constraint) -> tuple[End, ...]:
@@ -30,11 +38,9 @@ def ends_of(constraint: Constraint) -> tuple[End, ...]:
 
 def with_end(constraint: Constraint, end: End, measure: Measure | None) -> Constraint:
     """Return the constraint with another end, or without it."""
-    changed = replace(constraint, **{end: measure})  # type: ignore[arg-type]  # an attribute of the kind
-    if measure is None and isinstance(changed, Size):
-        # Other distributions, and a bias, need both ends.
-        return replace(changed, distribution="normal", bias=0.0)
-    return changed
+    found = _declared(constraint, end)
+    assert found is not None  # asked only of ends that there are
+    return constraint.altered(**{found.field_name: measure})
 
 
 def by_end(constraint: Constraint, facade: Facade) -> list[Constraint]:
@@ -47,9 +53,7 @@ def by_end(constraint: Constraint, facade: Facade) -> list[Constraint]:
 
 def by_region(constraint: Constraint, facade: Facade) -> list[Constraint]:
     """Return what a constraint asks of each single region."""
-    if not isinstance(constraint, Size | Instances):
-        return [constraint]
-    return [replace(constraint, of=RegionSet(path)) for path in facade.select(constraint.of)]
+    return list(constraint.parts(facade).values()) or [constraint]
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from layoutkit.constraints import Constraint, Frequency, Instances
-from layoutkit.constraints import Size as SizeConstraint
+from layoutkit.constraints import Constraint
+from layoutkit.constraints.attributes import ENCLOSING
 from layoutkit.model import Facade, Region, place
 from layoutkit.model.conflict import Amount, Conflict, Explanation, Member
 from layoutkit_relayout.explanation import wording
@@ -149,11 +149,12 @@ def _told(facade: Facade, found: _Found, ways: Sequence[Way]) -> Conflict:
     for unit, parts in found.parts.items():
         regions = _regions(facade, unit, parts)
         times = wording.repeated(regions[0], root) if len(regions) == 1 and not unit.region else 1
+        one_by_one = regions if unit.constraints[0].parts(facade) else ()
         members.append(
             Member(
                 unit.sources,
                 regions,
-                wording.subject(unit, regions) + (f", {times} of" if times > 1 else ""),
+                wording.subject(unit, one_by_one) + (f", {times} of" if times > 1 else ""),
                 wording.demand(unit, parts, facade) + (" each" if times > 1 else ""),
                 unit.by_default,
                 unit not in found.core.unproved,
@@ -172,10 +173,9 @@ def _regions(facade: Facade, unit: Unit, parts: Sequence[Constraint]) -> tuple[s
 
 
 def _named(facade: Facade, constraint: Constraint) -> tuple[str, ...]:
-    """Return the regions that an attribute ``of`` selects."""
-    if isinstance(constraint, SizeConstraint | Instances):
-        return facade.select(constraint.of)
-    return (constraint.within,) if isinstance(constraint, Frequency) else ()
+    """Return the regions of each of which a constraint demands something, or the one that it is about."""
+    about = (a for a in constraint.attributes() if a.required and a.type is ENCLOSING)
+    return tuple(constraint.parts(facade)) or tuple(getattr(constraint, a.field_name) for a in about)
 
 
 def _short(ways: Sequence[Way]) -> tuple[Amount, ...]:

@@ -15,12 +15,13 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
-from layoutkit.constraints import Instances
-from layoutkit.constraints import Sequence as SequenceConstraint
+from layoutkit.constraints.answers import violations_of
+from layoutkit.constraints.claims import varying
 from layoutkit.constraints.defaults import InputWord
-from layoutkit.constraints.sequence import covered
 from layoutkit.constraints.view import LayoutView
 from layoutkit.model import Facade, Layout, Region
+from layoutkit.sizing.backends import BACKENDS
+from layoutkit.sizing.qp import Backend
 from layoutkit_relayout.explanation.kin import Kin, unwieldy
 from layoutkit_relayout.explanation.sight import refuted
 from layoutkit_relayout.explanation.units import Unit, background, flat, free_regions, units_of
@@ -70,17 +71,10 @@ class Witness:
     def keeps(self, unit: Unit) -> bool:
         """Tell whether the layout keeps all constraints of a unit."""
         if unit not in self._kept:
-            others = (c for c in unit.constraints if not isinstance(c, SequenceConstraint))
-            broken = any(any(constraint.violations(self._view)) for constraint in others)
-            self._kept[unit] = not broken and self._spells(unit)
+            # What permits arrangements is checked together with all else of a facade that does.
+            view = self._view.under(unit.alone(self.facade)) if unit.region else self._view
+            self._kept[unit] = not any(any(violations_of(each, view)) for each in unit.constraints)
         return self._kept[unit]
-
-    def _spells(self, unit: Unit) -> bool:
-        """Tell whether a unit's sequences admit the words: the checker looks at all of a facade's."""
-        region = self.facade.regions.get(unit.region)
-        pieces = [c.piece(region) for c in unit.constraints if region and isinstance(c, SequenceConstraint)]
-        places = self._view.places(unit.region) if pieces else []
-        return all(covered(placed.region.word, pieces) for placed in places)
 
 
 @dataclass
@@ -111,6 +105,8 @@ class Judge:
         Width and height, in document units.
     effort
         What all its searches together may cost, at other sizes too.
+    backends
+        Solvers of quadratic programs, in the order in which they are asked.
 
     Attributes
     ----------
@@ -120,13 +116,20 @@ class Judge:
         How many questions were asked, and how many searches they took.
     """
 
-    def __init__(self, facade: Facade, size: Size, seed: int = 0, effort: float = math.inf) -> None:
+    def __init__(
+        self,
+        facade: Facade,
+        size: Size,
+        seed: int = 0,
+        effort: float = math.inf,
+        backends: Sequence[Backend] = BACKENDS,
+    ) -> None:
         self.facade, self.seed, self.effort = facade, seed, Effort(effort)
         self.units = units_of(facade)
         self.always = Unit(always := background(facade), always)
-        self._kin, self._price = Kin(), sum(map(len, facade.places.values()))
+        self._kin, self._price = Kin(backends), sum(map(len, facade.places.values()))
         self._limits, self._left, self._programs = (GLANCE, LOOK, STUDY), ALL_STUDIES, Search.programs
-        self._bare = replace(facade, constraints=tuple(c for c in always if isinstance(c, Instances)))
+        self._bare = replace(facade, constraints=tuple(c for c in always if varying(c, facade)))
         self._others: dict[Size, Judge] = {}
         self._sit(size)
 

@@ -9,6 +9,7 @@ from layoutkit.constraints.covering import Covering
 from layoutkit.constraints.word_rules import Anything, Automaton, Exactly
 from layoutkit.model import Facade
 from layoutkit.sizing.backends import BACKENDS
+from layoutkit.sizing.qp import Backend
 from layoutkit_relayout.kept import Kept
 from layoutkit_relayout.model import Model
 from layoutkit_relayout.search.candidates import MOST_TABLES
@@ -24,7 +25,8 @@ _MOST_MIRRORED = 24
 class Kin:
     """What the searches of one facade have in common, whichever of its constraints they keep."""
 
-    def __init__(self) -> None:
+    def __init__(self, backends: Sequence[Backend] = BACKENDS) -> None:
+        self._backends = tuple(backends)
         self._groups: dict[Hashable, WordGroup] = {}
         self._tables: Kept[object, CompletionTable] = Kept(MOST_TABLES)
         self._machines: Kept[object, Machine] = Kept(MOST_TABLES)
@@ -34,7 +36,7 @@ class Kin:
         model = Model(facade, constraints)
         model.groups = tuple(self._groups.setdefault(_key(group), group) for group in model.groups)
         model.group_of = {path: group for group in model.groups for path in group.members}
-        search = Search(model, size, BACKENDS)
+        search = Search(model, size, self._backends)
         search.candidates.tables, search.candidates.machines = self._tables, self._machines
         return search
 

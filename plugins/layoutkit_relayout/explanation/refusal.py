@@ -32,17 +32,17 @@ class Refusal:
     explanation: Explanation
 
 
-def refusal(facade: Facade, size: Size, seed: int, found: Found, effort: float) -> Refusal:
+def refusal(judge: Judge, found: Found) -> Refusal:
     """Tell why a search found nothing, as far as that takes little.
 
     Parameters
     ----------
+    judge
+        Of whom nothing has been asked yet, and whose effort says what explaining may cost.
     found
         What the search for all constraints ended with.
-    effort
-        What explaining may cost: see `Effort`.
     """
-    judge = Judge(facade, size, seed, effort)
+    facade, size = judge.facade, judge.size
     judge.told(Verdict(found.status, None, found.nodes))
     explanation = explained(judge, most=1)
     if found.status != "infeasible":

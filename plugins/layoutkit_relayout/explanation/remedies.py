@@ -10,15 +10,16 @@ from dataclasses import dataclass
 from decimal import Decimal
 from itertools import combinations, islice
 
-from layoutkit.constraints import Constraint, Size
+from layoutkit.constraints import Constraint
 from layoutkit.constraints import Sequence as SequenceConstraint
+from layoutkit.constraints.claims import sized
 from layoutkit.constraints.defaults import InputWord
 from layoutkit.constraints.generators import replication
 from layoutkit.constraints.size import input_size
-from layoutkit.model import Measure, Region, place
+from layoutkit.model import Facade, Region, place
 from layoutkit.model.conflict import Amount, Remedy
 from layoutkit_relayout.explanation import wording
-from layoutkit_relayout.explanation.bounds import COUNTS, End, Scale, end_of, ends_of, with_end
+from layoutkit_relayout.explanation.bounds import End, Scale, counts, end_of, ends_of, with_end
 from layoutkit_relayout.explanation.judge import Judge, Witness
 from layoutkit_relayout.explanation.units import Unit, without
 
@@ -105,12 +106,14 @@ def _dropped(judge: Judge, rest: Sequence[Unit], constraint: Constraint, number:
     root = judge.ask(rest).root
     assert root is not None  # found, as the caller has seen
     if not ends_of(constraint):
-        yield Way(Remedy(f"leave out the {constraint.kind}{line}", number, (constraint,)), root, 2)
+        yield Way(
+            Remedy(f"leave out the {constraint.qualified_name()}{line}", number, (constraint,)), root, 2
+        )
         return
     # Without it, something stricter may hold by default: it is the open range that leaves all free.
     free = with_end(with_end(constraint, "min", None), "max", None)
     if (root := judge.ask([*rest, Unit.of(free)]).root) is not None:
-        text = f"take min and max off the {constraint.kind}{line}"
+        text = f"take min and max off the {constraint.qualified_name()}{line}"
         yield Way(Remedy(text, number, (constraint,), (free,)), root, 2)
 
 
@@ -122,7 +125,7 @@ def _widened(
     start = end_of(constraint, end)
     if start is None:
         return
-    scale = Scale(start, end, isinstance(constraint, COUNTS))
+    scale = Scale(start, end, counts(constraint, end))
 
     def at(step: int) -> Unit:
         return Unit.of(with_end(constraint, end, scale.at(step)))
@@ -142,23 +145,22 @@ def _widened(
     text = wording.widening(unit, end, to, judge.facade)
     change = abs(to.value - start.value)
     removed = () if unit.by_default else (constraint,)
-    missing = _missing(judge, unit, own, change, start)
+    missing = _missing(judge.facade, own, end, change)
     remedy = Remedy(text, number, removed, (wider,), amount=missing)
     yield Way(remedy, root, 0, change / start.value if start.value else 1.0)
 
 
-def _missing(
-    judge: Judge, unit: Unit, own: Sequence[Constraint], change: float, start: Measure
-) -> Amount | None:
+def _missing(facade: Facade, own: Sequence[Constraint], end: End, change: float) -> Amount | None:
     """Return a change of an end as a size, or as a count of regions."""
-    facade = judge.facade
-    if isinstance(unit.constraints[0], Size):
-        paths = {path for part in own if isinstance(part, Size) for path in facade.select(part.of)}
-        reference = max(input_size(facade, path) for path in paths) if start.relative else 1.0
-        return Amount(change * reference, facade.units)
-    if isinstance(unit.constraints[0], COUNTS) and not start.relative:
-        return Amount(change, "regions")
-    return None
+    start = end_of(own[0], end)
+    relative = start is not None and start.relative
+    if counts(own[0], end):
+        return None if relative else Amount(change, "regions")
+    paths = [claim.path for part in own for claim in sized(part, facade)]
+    if not paths:
+        return None
+    reference = max(input_size(facade, path) for path in paths) if relative else 1.0
+    return Amount(change * reference, facade.units)
 
 
 def first(holds: Callable[[int], bool], most: int) -> int | None:

@@ -7,10 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar
 
+from layoutkit.hooks.builtin import layoutkit_qp_backends
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Facade, Measure
 
 if TYPE_CHECKING:
+    from layoutkit.sizing.qp import Backend
     from layoutkit_relayout.explanation.judge import Judge
 
 #: Words tried to tell whether there is a layout.
@@ -29,12 +31,15 @@ class ExplainOptions:
         Start of the random choices in the layouts that are shown.
     node_limit
         Words tried to tell whether there is a layout; what comes after takes a like effort.
+    backends
+        Solvers of quadratic programs, in the order in which they are asked.
     """
 
     width: Measure = field(default=Measure(1.0, relative=True))
     height: Measure = field(default=Measure(1.0, relative=True))
     seed: int = 0
     node_limit: int = NODE_LIMIT
+    backends: tuple[Backend, ...] = field(default_factory=layoutkit_qp_backends)
 
 
 class Explain(Stage):
@@ -53,7 +58,9 @@ class Explain(Stage):
         start = time.perf_counter()
         size = layout_size(facade, options.width, options.height)
         with single_threaded():
-            yield _outcome(Judge(facade, size, options.seed), options.node_limit, start)
+            yield _outcome(
+                Judge(facade, size, options.seed, backends=options.backends), options.node_limit, start
+            )
 
 
 def _outcome(judge: Judge, node_limit: int, start: float) -> Outcome:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from layoutkit.constraints import Constraint, Instances, Size
-from layoutkit.constraints import Sequence as SequenceConstraint
+from layoutkit.constraints import Constraint, Instances
+from layoutkit.constraints.claims import permitted, sized, varying
 from layoutkit.constraints.defaults import InputWord, default_sizes, default_words, effective_constraints
 from layoutkit.constraints.expansion import as_written
-from layoutkit.constraints.size import input_size
-from layoutkit.model import Facade, Measure
+from layoutkit.constraints.size import LEAST_SHARE, input_size
+from layoutkit.model import Facade, Measure, RegionSet
 
 #: No region becomes smaller than this share of its input size, whichever constraints are left out, unless one
 #: of its own states a smaller minimum.
@@ -42,6 +42,14 @@ class Unit:
     region: str = ""
     by_default: bool = False
 
+    def alone(self, facade: Facade) -> Facade:
+        """Return the facade with no other constraints than the unit's; it is made once."""
+        key = (id(self), "alone")
+        if key not in facade.memory:
+            facade.memory[key] = self, replace(facade, constraints=self.constraints)
+        found: Facade = facade.memory[key][1]
+        return found
+
     @classmethod
     def of(cls, constraint: Constraint, *, by_default: bool = False) -> Unit:
         """Return a constraint as a unit of its own."""
@@ -58,12 +66,12 @@ def units_of(facade: Facade) -> list[Unit]:
     defaults: set[Constraint] = {*default_sizes(facade), *default_words(facade)}
     own, kept, sizes = list[Unit](), list[Unit](), list[Unit]()
     for constraint in effective_constraints(facade):
-        if constraint.soft or _demands_nothing(constraint) or _by_mass(constraint, facade):
+        if constraint.soft or constraint.idle or _by_mass(constraint, facade):
             continue
         if isinstance(constraint, InputWord):
             kept.append(Unit.of(constraint, by_default=True))
-        elif isinstance(constraint, SequenceConstraint):
-            _join(own, constraint, as_written(facade, constraint))
+        elif permitted(constraint, facade):
+            _join(own, constraint, as_written(facade, constraint), facade)
         elif constraint in defaults:
             sizes.append(Unit.of(constraint, by_default=True))
         else:
@@ -71,10 +79,9 @@ def units_of(facade: Facade) -> list[Unit]:
     return [*own, *kept, *sizes]
 
 
-def _join(units: list[Unit], sequence: SequenceConstraint, source: Constraint) -> None:
-    """Add a sequence to the unit of each region that it speaks of."""
-    for path in sequence.within:
-        one = replace(sequence, within=(path,))
+def _join(units: list[Unit], permission: Constraint, source: Constraint, facade: Facade) -> None:
+    """Add what permits arrangements to the unit of each region that it speaks of."""
+    for path, one in (permission.parts(facade) or {permitted(permission, facade)[0]: permission}).items():
         at = next((n for n, unit in enumerate(units) if unit.region == path), None)
         if at is None:
             units.append(Unit((one,), (source,), path))
@@ -82,11 +89,6 @@ def _join(units: list[Unit], sequence: SequenceConstraint, source: Constraint) -
         constraints, sources = units[at].constraints, units[at].sources
         known = any(source is other for other in sources)
         units[at] = Unit((*constraints, one), sources if known else (*sources, source), path)
-
-
-def _demands_nothing(constraint: Constraint) -> bool:
-    ranged = isinstance(constraint, Size | Instances)
-    return ranged and constraint.min is None and constraint.max is None  # type: ignore[attr-defined]
 
 
 def _by_mass(constraint: Constraint, facade: Facade) -> bool:
@@ -100,18 +102,18 @@ def background(facade: Facade) -> tuple[Constraint, ...]:
     effective = effective_constraints(facade)
     floors: dict[str, float] = {}
     for constraint in effective:
-        if isinstance(constraint, Size) and constraint.min is not None:
-            for path in facade.select(constraint.of):
-                share = constraint.bounds(facade, path)[0] / input_size(facade, path)
-                floors[path] = min(floors.get(path, FLOOR), share)
+        for claim in sized(constraint, facade):
+            share = claim.least / input_size(facade, claim.path)
+            if share > LEAST_SHARE:  # else it states none
+                floors[claim.path] = min(floors.get(claim.path, FLOOR), share)
     # Sizes are drawn as where no constraint speaks of them.
     drawn = default_sizes(replace(facade, constraints=()))
     sizes = (
         replace(size, min=Measure(floors.get(str(size.of), FLOOR), relative=True), max=None) for size in drawn
     )
-    varied = (c for c in effective if isinstance(c, Instances))
+    free = dict.fromkeys(path for constraint in effective for path in varying(constraint, facade))
     faces = (c for c in effective if _by_mass(c, facade))
-    return (*sizes, *(replace(c, min=None, max=None, weight=None) for c in varied), *faces)
+    return (*sizes, *(Instances(of=RegionSet(path)) for path in free), *faces)
 
 
 def flat(units: Iterable[Unit]) -> tuple[Constraint, ...]:

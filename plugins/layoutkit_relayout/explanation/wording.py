@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from layoutkit.constraints import Constraint, Instances, Size
-from layoutkit.constraints import Sequence as SequenceConstraint
-from layoutkit.constraints.attributes import Attribute
+from layoutkit.constraints import Constraint
+from layoutkit.constraints.attributes import WORD, Attribute
+from layoutkit.constraints.claims import permitted, sized
 from layoutkit.constraints.defaults import InputWord
 from layoutkit.constraints.size import input_size
 from layoutkit.model import Facade, Measure, Region, place
@@ -17,8 +17,6 @@ from layoutkit_relayout.explanation.units import Unit
 
 #: Types of attributes that say what a constraint speaks of.
 _SUBJECTS = ("regions", "members", "extent", "path", "paths")
-#: Attributes that say how sizes are drawn, not what they must be.
-_DRAWING = ("centre", "deviation", "distribution", "bias")
 _ENDS: dict[End, str] = {"min": "at least", "max": "at most"}
 #: Names and words listed one by one; further ones are only counted.
 _LISTED = 2
@@ -33,20 +31,24 @@ def subject(unit: Unit, regions: Sequence[str]) -> str:
     Parameters
     ----------
     regions
-        The regions in question, where only some of the constraint's take part.
+        The regions in question, where the constraint demands something of each and only some take part.
     """
     first = unit.constraints[0]
     if isinstance(first, InputWord):
         return f"arrangement of {unit.region}"
     if unit.region:
-        plain = all(isinstance(source, SequenceConstraint) for source in unit.sources)
-        return f"{'sequences' if plain else 'arrangements'} of {unit.region}"
-    shown = {a.name: _text(a, first) for a in _said(first) if a.type.name in _SUBJECTS}
-    by_region = isinstance(first, Size | Instances) and regions
-    if by_region and (len(regions) <= _LISTED or len(shown["of"]) > _SHORT):
-        shown["of"] = _listed(regions)
+        # What stands for others, as generators do, is not called by their name.
+        plain = all(type(source) is type(first) for source in unit.sources)
+        return f"{f'{first.qualified_name()}s' if plain else 'arrangements'} of {unit.region}"
+    said = _subject(first)
+    if regions and (len(regions) <= _LISTED or len(said) > _SHORT):
+        said = _listed(regions)
     inside = [_text(a, first) for a in _said(first) if a.type.name == "enclosing path"]
-    return f"{first.kind} of {' and '.join(shown.values())}" + "".join(f" in {path}" for path in inside)
+    return f"{first.qualified_name()} of {said}" + "".join(f" in {path}" for path in inside)
+
+
+def _subject(constraint: Constraint) -> str:
+    return " and ".join(_text(a, constraint) for a in _said(constraint) if a.type.name in _SUBJECTS)
 
 
 def demand(unit: Unit, parts: Sequence[Constraint], facade: Facade) -> str:
@@ -61,7 +63,7 @@ def demand(unit: Unit, parts: Sequence[Constraint], facade: Facade) -> str:
     if isinstance(first, InputWord):
         return f"as in the input: {_word(facade.regions[unit.region].word)}"
     if unit.region:
-        return ", ".join(dict.fromkeys(_rule(source) for source in unit.sources))
+        return ", ".join(dict.fromkeys(_rule(source, facade) for source in unit.sources))
     said = (_range(end, [p for p in parts if end in ends_of(p)], facade) for end in ENDS)
     return ", ".join([*filter(None, said), *_further(first)])
 
@@ -72,8 +74,9 @@ def _listed(regions: Sequence[str]) -> str:
     return f"{', '.join(regions[:_LISTED])} and {len(regions) - _LISTED} more"
 
 
-def _rule(source: Constraint) -> str:
-    return str(source.word) if isinstance(source, SequenceConstraint) else str(source)
+def _rule(source: Constraint, facade: Facade) -> str:
+    words = [_text(a, source) for a in _said(source) if a.type is WORD]
+    return words[0] if len(words) == 1 and permitted(source, facade) else str(source)
 
 
 def _range(end: End, parts: Sequence[Constraint], facade: Facade) -> str:
@@ -82,7 +85,7 @@ def _range(end: End, parts: Sequence[Constraint], facade: Facade) -> str:
         return ""
     measure = end_of(parts[0], end)
     assert measure is not None  # it is one that they state
-    paths = {path for part in parts if isinstance(part, Size) for path in facade.select(part.of)}
+    paths = {claim.path for part in parts for claim in sized(part, facade)}
     sizes = {measure.of(input_size(facade, path)) for path in paths}
     if len(sizes) != 1:
         return f"{_ENDS[end]} {measure}"
@@ -91,12 +94,12 @@ def _range(end: End, parts: Sequence[Constraint], facade: Facade) -> str:
 
 def _further(constraint: Constraint) -> list[str]:
     """Return the other attributes: choices as they are, the rest with their names."""
-    skipped = {"min", "max", "scope", *(_DRAWING if isinstance(constraint, Size) else ())}
+    skipped = {"min", "max", "scope"}
     rest = (a for a in _said(constraint) if a.type.name not in (*_SUBJECTS, "enclosing path"))
     return [
         _text(a, constraint) if a.type.choices else f"{a.name} {_text(a, constraint)}"
         for a in rest
-        if a.name not in skipped
+        if a.name not in skipped and a.demands
     ]
 
 
@@ -148,14 +151,13 @@ def widening(unit: Unit, end: End, to: Measure, facade: Facade) -> str:
     """Return how to say that an end of a range is moved out."""
     constraint = unit.constraints[0]
     new = str(to)
-    if isinstance(constraint, Size):
-        paths = facade.select(constraint.of)
+    if paths := [claim.path for claim in sized(constraint, facade)]:
         sizes = {to.of(input_size(facade, path)) for path in paths}
         if len(sizes) == 1:
             new = length(sizes.pop(), facade) if not to.relative else f"{to} ({length(sizes.pop(), facade)})"
-        what = name(paths[0], facade) if len(paths) == 1 else _short(str(constraint.of), constraint)
-    else:
-        what = _short(subject(unit, ()), constraint)
+    what = _short(_subject(constraint) if paths else subject(unit, ()), constraint)
+    if len(paths) == 1:
+        what = name(paths[0], facade)
     if unit.by_default:
         return f"give {what} a size of its own, {_ENDS[end]} {new}"
     return f"{'lower the minimum' if end == 'min' else 'raise the maximum'} of {what} to {new}"
@@ -164,7 +166,7 @@ def widening(unit: Unit, end: End, to: Measure, facade: Facade) -> str:
 def _short(text: str, constraint: Constraint) -> str:
     """Return a name, or the line where it is told if the name is long."""
     line = constraint.place.line if constraint.place is not None else 0
-    return text if len(text) <= _SHORT or not line else f"the {constraint.kind} in line {line}"
+    return text if len(text) <= _SHORT or not line else f"the {constraint.qualified_name()} in line {line}"
 
 
 def permission(region: str, words: Iterable[tuple[str, ...]], facade: Facade) -> str:

@@ -16,11 +16,23 @@ from layoutkit.constraints.word_rules import Variants
 from layoutkit.sizing.arrangement import Arrangement, add, value
 from layoutkit.sizing.qp import Floats
 from layoutkit.sizing.rules import Form, Range
-from layoutkit.sizing.solve import Axis, Conflict, Sized
+from layoutkit.sizing.solve import Axis, Conflict
 
+Axes = tuple[Axis, Axis]
 Values = tuple[Floats, Floats]
-#: Sizes one axis by its number, with further rows.
-Sizing = Callable[[Axis], Sized]
+
+
+@dataclass(frozen=True, eq=False)
+class Both:
+    """Values of the variables of both axes; or None, and why, as far as `Sized` says it."""
+
+    values: Values | None
+    conflict: Conflict | None = None
+    suspect: Conflict | None = None
+
+
+#: Sizes both axes anew, from their values before one of them had further rows, and that one's number.
+Sizing = Callable[[Axes, Values, int], Both]
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,9 +115,7 @@ class Apart:
     conflict: Conflict | None = None
 
 
-def told_apart(
-    found: Sequence[Twins], axes: tuple[Axis, Axis], values: Values, gap: float, sizing: Sizing
-) -> Apart:
+def told_apart(found: Sequence[Twins], axes: Axes, values: Values, gap: float, sizing: Sizing) -> Apart:
     """Make twins differ by a gap in at least one size, at whichever values of the rest.
 
     Parameters
@@ -115,10 +125,10 @@ def told_apart(
     gap
         In document units.
     sizing
-        Sizes one axis.
+        Sizes both axes anew.
     """
     failed: list[Conflict] = []
-    stack: list[tuple[tuple[Axis, Axis], Values, Iterator[Range] | None]] = [(axes, values, None)]
+    stack: list[tuple[Axes, Values, Iterator[Range] | None]] = [(axes, values, None)]
     while stack:
         axes, values, ways = stack.pop()
         if ways is None:
@@ -130,14 +140,11 @@ def told_apart(
         if row is None:
             continue
         stack.append((axes, values, ways))
-        axis = axes[row.axis]
-        further = replace(axis, rules=[*axis.rules, row])
-        sized = sizing(further)
+        further = replace(axes[row.axis], rules=[*axes[row.axis].rules, row])
+        after = (further, axes[1]) if row.axis == 0 else (axes[0], further)
+        sized = sizing(after, values, row.axis)
         if sized.values is not None:
-            after = (further, axes[1]), (sized.values, values[1])
-            if row.axis == 1:
-                after = (axes[0], further), (values[0], sized.values)
-            stack.append((*after, None))
+            stack.append((after, sized.values, None))
         elif sized.conflict is None:
             return Apart(None)
         else:

@@ -10,12 +10,14 @@ import numpy as np
 from layoutkit.constraints.view import CONSTRAINT_TOLERANCE
 from layoutkit.model import Region
 from layoutkit.sizing.arrangement import Arrangement, value
+from layoutkit.sizing.joint import drawn_together, joined, parted, scale_of
 from layoutkit.sizing.layouts import region_tree
 from layoutkit.sizing.qp import Backend, Floats
-from layoutkit.sizing.solve import Budget, Conflict, Drawn, size_axis
+from layoutkit.sizing.rules import SizeRule
+from layoutkit.sizing.solve import Axis, Budget, Conflict, Drawn, Sized, size_axis
 from layoutkit_relayout.kept import Kept
 from layoutkit_relayout.model import Model
-from layoutkit_relayout.sizes.differing import Apart, told_apart
+from layoutkit_relayout.sizes.differing import Apart, Axes, Both, Sizing, Values, told_apart
 from layoutkit_relayout.sizes.prepared import Prepared
 from layoutkit_relayout.words.variants import VariedFacade, enough, unnamed
 
@@ -34,6 +36,57 @@ class Measured:
     root: Region | None
     conflict: Conflict | None = None
     suspect: Conflict | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class _Sizing:
+    """What one variation is sized by: the rules across both axes, the size, the draw, what may be spent."""
+
+    across: tuple[SizeRule, ...]
+    size: tuple[float, float]
+    drawn: tuple[Drawn, Drawn]
+    backends: Sequence[Backend]
+    problems: int
+
+    def both(self, axes: Axes) -> Both:
+        """Size both axes: each by itself, or, where a rule relates them, as one."""
+        if self.across:
+            return self._joint(axes, Budget(self.problems))
+        values = []
+        for axis in axes:
+            sized = self._alone(axis, Budget(self.problems))
+            if sized.values is None:
+                return Both(None, sized.conflict, sized.suspect)
+            values.append(sized.values)
+        return Both((values[0], values[1]))
+
+    def again(self, budget: Budget) -> Sizing:
+        """Return how both axes are sized again when one of them has changed, within a budget."""
+
+        def sizing(axes: Axes, values: Values, changed: int) -> Both:
+            if self.across:
+                return self._joint(axes, budget)
+            sized = self._alone(axes[changed], budget)
+            if sized.values is None:
+                return Both(None, sized.conflict)
+            return Both((sized.values, values[1]) if changed == 0 else (values[0], sized.values))
+
+        return sizing
+
+    def ahead(self, axes: Axes, axis: int) -> Conflict | None:
+        """Return why an axis cannot be sized, together with the other where a rule relates them."""
+        budget = Budget(self.problems)
+        sized = self._joint(axes, budget) if self.across else self._alone(axes[axis], budget)
+        return sized.conflict
+
+    def _alone(self, axis: Axis, budget: Budget) -> Sized:
+        return size_axis(axis, self.size[axis.number], self.drawn[axis.number], self.backends, budget)
+
+    def _joint(self, axes: Axes, budget: Budget) -> Both:
+        whole = joined(axes, self.across, self.size)
+        drawn = drawn_together(self.drawn)
+        sized = size_axis(whole, scale_of(self.size), drawn, self.backends, budget)
+        return Both(parted(sized, axes), sized.conflict, sized.suspect)
 
 
 class Measures:
@@ -56,37 +109,23 @@ class Measures:
             QPs that each axis may cost.
         """
         prepared = self._prepare(words, size)
-        values, drawn = [], []
-        for axis, distributions in zip(prepared.axes, prepared.distributions, strict=True):
-            drawn.append(distributions.draw(generator))
-            sized = size_axis(axis, size[axis.number], drawn[-1], self.backends, Budget(problems))
-            if sized.values is None:
-                return Measured(None, sized.conflict, sized.suspect)
-            values.append(sized.values)
-        found = values[0], values[1]
+        one, other = (distributions.draw(generator) for distributions in prepared.distributions)
+        sizing = _Sizing(prepared.across, size, (one, other), self.backends, problems)
+        sized = sizing.both(prepared.axes)
+        if sized.values is None:
+            return Measured(None, sized.conflict, sized.suspect)
+        found = sized.values
         if self.model.demands and any(pair.alike(found, _SEEN * max(size)) for pair in prepared.twins):
-            return self._told_apart(prepared, found, drawn, size, problems)
+            return self._told_apart(prepared, found, sizing)
         return Measured(self._tree(prepared, found))
 
-    def _told_apart(
-        self,
-        prepared: Prepared,
-        found: tuple[Floats, Floats],
-        drawn: Sequence[Drawn],
-        size: tuple[float, float],
-        problems: int,
-    ) -> Measured:
+    def _told_apart(self, prepared: Prepared, found: Values, sizing: _Sizing) -> Measured:
         """Size words again, so that instances that came out alike differ: visibly, or else at all."""
+        size = sizing.size
 
         def apart(gap: float) -> Apart:
-            budget = Budget(problems)
-            return told_apart(
-                prepared.twins,
-                prepared.axes,
-                found,
-                gap * max(size),
-                lambda axis: size_axis(axis, size[axis.number], drawn[axis.number], self.backends, budget),
-            )
+            again = sizing.again(Budget(sizing.problems))
+            return told_apart(prepared.twins, prepared.axes, found, gap * max(size), again)
 
         visibly = apart(_SEEN)
         if visibly.values is not None:
@@ -125,10 +164,10 @@ class Measures:
     def ahead(self, words: Words, size: tuple[float, float], axis: int, problems: int) -> Conflict | None:
         """Return why an axis of a partial choice of words cannot be sized; None if it can, or perhaps can."""
         prepared = self._prepare(self.model.completed(self.model.with_forced(words)), size)
-        drawn = prepared.distributions[axis].likeliest()
-        sized = size_axis(prepared.axes[axis], size[axis], drawn, self.backends, Budget(problems))
+        one, other = (distributions.likeliest() for distributions in prepared.distributions)
+        sizing = _Sizing(prepared.across, size, (one, other), self.backends, problems)
         # What the budget left open is decided when all words are there.
-        return sized.conflict
+        return sizing.ahead(prepared.axes, axis)
 
     def _prepare(self, words: Words, size: tuple[float, float]) -> Prepared:
         facade = self.model.facade

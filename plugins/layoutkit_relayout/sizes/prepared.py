@@ -7,8 +7,9 @@ from functools import cached_property
 
 import numpy as np
 
+from layoutkit.sizing.answers import size_rules_of
 from layoutkit.sizing.arrangement import Arrangement
-from layoutkit.sizing.rules import Range, SizeRule
+from layoutkit.sizing.rules import BOTH, Range, SizeRule
 from layoutkit.sizing.solve import Axis
 from layoutkit_relayout.model import Floats, Model
 from layoutkit_relayout.sizes.differing import Twins, twins
@@ -30,13 +31,21 @@ class Prepared:
     @cached_property
     def axes(self) -> tuple[Axis, Axis]:
         """The rules on x, and those on y."""
-        rules = size_rules(self.model, self.arrangement)
-        count = self.arrangement.variables
+        rules, count = self._rules, self.arrangement.variables
         one, other = (
             Axis(n, count[n], [r for r in rules if r.axis == n], (self._by_centres(n), self.nominal[n]))
             for n in (0, 1)
         )
         return one, other
+
+    @cached_property
+    def across(self) -> tuple[SizeRule, ...]:
+        """The rules that relate x to y."""
+        return tuple(rule for rule in self._rules if rule.axis == BOTH)
+
+    @cached_property
+    def _rules(self) -> list[SizeRule]:
+        return size_rules(self.model, self.arrangement)
 
     @cached_property
     def distributions(self) -> tuple[Distributions, Distributions]:
@@ -81,7 +90,7 @@ class Prepared:
 
 def size_rules(model: Model, arrangement: Arrangement) -> list[SizeRule]:
     """Return all rules on an arrangement's sizes."""
-    found: list[SizeRule] = [r for c in model.constraints for r in c.size_rules(arrangement)]
+    found: list[SizeRule] = [r for c in model.constraints for r in size_rules_of(c, arrangement)]
     for path in arrangement.frames:
         if path in model.group_of and path not in arrangement.words:
             axis = model.axis(path)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layoutkit.constraints.word_rules import Automaton, State
+from layoutkit.diagnostics.blame import Misbehaviour
 
 Ints = NDArray[np.int64]
 
@@ -221,9 +222,14 @@ def build(
         row = []
         for letter in letters:
             after = _step(automata, states, letter)
-            if after is not None and after not in numbers:
+            try:
+                new = after is not None and after not in numbers
+            except TypeError:
+                _check_hashable(automata, after or ())
+                raise
+            if after is not None and new:
                 if len(numbers) >= most_states:
-                    raise TooManyStates(f"more than {most_states} states")
+                    raise _too_many(automata, most_states)
                 numbers[after] = len(numbers)
                 pending.append(after)
             row.append(-1 if after is None else numbers[after])
@@ -256,6 +262,28 @@ def _step(
             return None
         after.append(reached)
     return tuple(after)
+
+
+def _too_many(automata: Sequence[tuple[Automaton, Mapping[str, str]]], count: int) -> TooManyStates:
+    kinds = dict.fromkeys(type(_own(automaton)) for automaton, _ in automata)
+    others = [
+        f"{k.__qualname__} of {k.__module__}" for k in kinds if not k.__module__.startswith("layoutkit")
+    ]
+    return TooManyStates(f"more than {count} states" + (f", with {' and '.join(others)}" if others else ""))
+
+
+def _check_hashable(automata: Sequence[tuple[Automaton, Mapping[str, str]]], states: Sequence[State]) -> None:
+    for (automaton, _), state in zip(automata, states, strict=True):
+        try:
+            hash(state)
+        except TypeError:
+            what = f"gives a state that is not hashable: {state!r}"
+            raise Misbehaviour(_own(automaton), what) from None
+
+
+def _own(automaton: Automaton) -> object:
+    """Return the automaton itself, where it stands in another that only renames symbols."""
+    return getattr(automaton, "automaton", automaton)
 
 
 def trim(letters: tuple[str, ...], following: Ints, accepting: NDArray[np.bool_]) -> Machine:

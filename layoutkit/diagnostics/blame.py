@@ -1,0 +1,93 @@
+"""Whose fault an unexpected error is: a plugin's, or our own."""
+
+from __future__ import annotations
+
+import traceback
+
+from layoutkit.diagnostics.diagnostic import Diagnostic, Place
+from layoutkit.diagnostics.origin import origin_of, origins
+
+#: The environment variable that makes the traceback of an unexpected error appear.
+DEBUG = "LAYOUTKIT_DEBUG"
+
+
+class Misbehaviour(Exception):  # noqa: N818 - it is a fault of what it names, and no error of ours
+    """Raised where a plugin's part returned what makes no sense, so that nothing can be made of it.
+
+    Parameters
+    ----------
+    culprit
+        The class, or an instance of it, that returned it.
+    what
+        What it returned, and what is wrong with that.
+    """
+
+    def __init__(self, culprit: object, what: str) -> None:
+        kind = culprit if isinstance(culprit, type) else type(culprit)
+        self.module, self.what = kind.__module__, what
+        self.place: Place | None = getattr(culprit, "place", None)
+        super().__init__(f"{kind.__qualname__} {what}")
+
+
+class Stuck(BaseException):
+    """Raised in the midst of a plugin's code that does not come to an end.
+
+    It is no `Exception`, so that the code that is stuck does not catch it by the way.
+    """
+
+
+#: All that a plugin's code may end in, where the work goes on without it.
+ANYTHING = (Exception, Stuck)
+
+
+def diagnosed(
+    error: BaseException, culprit: type | None = None, what: str = "", place: Place | None = None
+) -> Diagnostic:
+    """Return a diagnostic for an error that nothing foresaw.
+
+    The innermost frame that belongs to another package's plugin decides; without one it is our own fault,
+    unless the culprit is known, and none of ours.
+
+    Parameters
+    ----------
+    error
+        With its traceback.
+    culprit
+        The class that was asked when it arose, where that is known.
+    what
+        What users call that: ``the constraint kind 'golden:ratio'``.
+    place
+        Where in a document that stands.
+    """
+    see = f"run the command again with {DEBUG}=1 in the environment to see the traceback"
+    if isinstance(error, Misbehaviour):
+        place = place or error.place
+    whose = _blamed(error, culprit.__module__ if culprit is not None else "")
+    if not whose:
+        message = f"{what or 'layoutkit'} failed: {described(error)}"
+        hint = f"this is a fault of ours, please report it; {see}"
+        return Diagnostic("LK901", message, place, hint, topic="internal")
+    who = f"{what} of {whose}" if what else whose
+    hint = f"report it to the plugin's author; {see}"
+    return Diagnostic("LK407", f"{who} failed: {described(error)}", place, hint, topic="plugin")
+
+
+def described(error: BaseException) -> str:
+    """Return an error as a user reads it: its kind and what it says."""
+    if isinstance(error, Misbehaviour):
+        return str(error)
+    return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+
+
+def _blamed(error: BaseException, culprit: str) -> str:
+    """Return whose plugin had to do with an error, the innermost; empty for our own."""
+    known = origins()
+    frames = [str(frame.f_globals.get("__name__", "")) for frame, _ in traceback.walk_tb(error.__traceback__)]
+    named = [error.module] if isinstance(error, Misbehaviour) else []
+    for module in (*named, *reversed(frames), culprit):
+        origin = origin_of(module, known)
+        if origin is not None and not origin.ours:
+            return f"the {origin}"
+    if culprit and origin_of(culprit, known) is None:
+        return f"the module {culprit}"
+    return ""

@@ -1,0 +1,51 @@
+"""A wrong and a mended example of each code, smallest where possible; tests run all of them.
+
+One file a group, as the codes have. `EXAMPLES` has them by code; `UNSHOWN` says why the others have none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from layoutkit.diagnostics.codes.examples import (
+    buildings,
+    conversion,
+    files,
+    layouts,
+    plugins,
+    references,
+    search,
+    semantics,
+    structure,
+    usage,
+)
+from layoutkit.diagnostics.codes.examples.example import GAP, Example, Frame
+
+__all__ = ["EXAMPLES", "GAP", "UNSHOWN", "Example", "Frame"]
+
+_GROUPS = (
+    files,
+    structure,
+    references,
+    semantics,
+    conversion,
+    plugins,
+    layouts,
+    search,
+    usage,
+    buildings,
+)
+
+#: Every example, by code.
+EXAMPLES: Mapping[str, Example] = {code: own for group in _GROUPS for code, own in group.EXAMPLES.items()}
+
+#: Codes without one, and why.
+UNSHOWN: Mapping[str, str] = {
+    "LK005": "a document that is nested so deeply does not fit a page",
+    "LK006": "a document of so many elements does not fit a page",
+    "LK007": "a file of that size does not fit a page",
+    "LK009": "no page can show a character that XML cannot hold",
+    "LK605": "a facade whose arrangements cannot be counted does not fit a page",
+    "LK901": "it is a fault of layoutkit: if an example were known, it would be mended",
+    "LK902": "it is a fault of layoutkit: if an example were known, it would be mended",
+}

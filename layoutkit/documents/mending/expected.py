@@ -1,0 +1,58 @@
+"""Which elements may stand in one another, and what each may hold."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from layoutkit.constraints.namespace import CORE
+from layoutkit.documents.grammar import (
+    AGAIN,
+    BOX,
+    CONSTRAINTS,
+    FACADE,
+    FOOTPRINT,
+    LAYOUT,
+    LAYOUT_MASS,
+    MASS,
+    NAMESPACE,
+    PICTURE,
+    REGION,
+    ROOT_REGION,
+    ElementType,
+)
+from layoutkit.documents.kinds import Kinds, declared
+from layoutkit.documents.mending.manuscript import Written
+
+ROOTS = {element.name: element for element in (FACADE, LAYOUT, MASS)}
+#: Declarations hold dictionaries, and so cannot be keys.
+_CHILDREN = (
+    (FACADE, (PICTURE, ROOT_REGION, CONSTRAINTS)),
+    (LAYOUT, (PICTURE, LAYOUT_MASS, ROOT_REGION)),
+    (MASS, (BOX, FOOTPRINT)),
+    (LAYOUT_MASS, (BOX, FOOTPRINT)),
+    (ROOT_REGION, (REGION, AGAIN)),
+    (REGION, (REGION, AGAIN)),
+)
+
+
+def element_type(element: Written, kinds: Kinds) -> ElementType | None:
+    """Return the declaration of an element; None if it is unknown, or not known to stand where it does."""
+    return possible(element, kinds).get(element.name)
+
+
+def possible(element: Written, kinds: Kinds) -> Mapping[str, ElementType]:
+    """Return what an element may be in the place where it stands, by name."""
+    if element.parent is None:
+        return ROOTS if ours(element) else {}
+    parent = element_type(element.parent, kinds)
+    if parent is CONSTRAINTS:
+        own = CORE.uri if ours(element) else element.namespace
+        return {kind.kind: declared(kind) for kind in kinds.values() if kind.namespace.uri == own}
+    if parent is None or not ours(element):
+        return {}
+    return {child.name: child for declaration, below in _CHILDREN if declaration is parent for child in below}
+
+
+def ours(element: Written) -> bool:
+    """Tell whether an element is of our namespace, or of none, as the whole document may be by mistake."""
+    return element.namespace in ("", NAMESPACE)

@@ -1,0 +1,43 @@
+"""What a misspelt name surely means."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+
+def meant(name: str, known: Iterable[str]) -> str | None:
+    """Return the known name that a misspelt one means, or None where that is open.
+
+    It is the only one that differs in case alone; or the nearest, by characters added, dropped, exchanged or
+    transposed, if it is near (one step in words of four letters, two from six on), and every other known name
+    is at least two steps further off.
+    """
+    names = sorted(set(known))
+    folded = [one for one in names if one.casefold() == name.strip().casefold()]
+    if len(folded) == 1:
+        return folded[0]
+    steps = sorted((_steps(name.casefold(), one.casefold()), one) for one in names)
+    if not steps or steps[0][0] > _tolerated(name, steps[0][1]):
+        return None
+    if len(steps) > 1 and steps[1][0] < steps[0][0] + 2:
+        return None
+    return steps[0][1]
+
+
+def _tolerated(name: str, other: str) -> int:
+    length = max(len(name), len(other))
+    return 0 if length < 4 else 1 if length < 6 else 2
+
+
+def _steps(one: str, other: str) -> int:
+    """Return how many steps lead from one word to the other (optimal string alignment)."""
+    before: list[int] = []
+    row = list(range(len(other) + 1))
+    for i, a in enumerate(one, 1):
+        last, before, row = before, row, [i]
+        for j, b in enumerate(other, 1):
+            step = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (a != b))
+            if i > 1 and j > 1 and a == other[j - 2] and one[i - 2] == b:
+                step = min(step, last[j - 2] + 1)
+            row.append(step)
+    return row[-1]

@@ -1,0 +1,1 @@
+"""Auditing: faults in what a facade's constraints mean, found without laying it out."""
