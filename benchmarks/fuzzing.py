@@ -32,12 +32,13 @@ import numpy as np
 from benchmarks.designs import DESIGNS
 from benchmarks.memory import Peak
 from benchmarks.mutations import mutated
-from layoutkit.diagnostics import Diagnostic, Severity, worst
+from layoutkit.cli.checking import everything
+from layoutkit.cli.session import Session
+from layoutkit.diagnostics import Diagnostic
 from layoutkit.diagnostics.codes import CODES
 from layoutkit.documents import Source, check, facade_bytes, layout_bytes, read
-from layoutkit.documents.document import open_document
 from layoutkit.hooks.host import Host
-from layoutkit.model import Facade, Layout
+from layoutkit.model import Layout
 
 FACADES = Path(__file__).resolve().parents[1] / "facades"
 SECONDS = 5.0
@@ -112,9 +113,7 @@ def trial(seed: int, index: int, host: Host, semantics: bool = False, most: int 
     signal.signal(signal.SIGPROF, _stop)
     signal.setitimer(signal.ITIMER_PROF, SECONDS)
     try:
-        found = check(source, host.constraints)
-        if semantics and worst(found) is not Severity.ERROR:
-            found += _semantics(source, host)
+        found = list(everything(source, _session()) if semantics else check(source, host.constraints))
     except TooLong:
         failure = f"took more than {SECONDS:g} s"
     except Exception:
@@ -143,15 +142,6 @@ def fault_of(found: Sequence[Diagnostic]) -> str:
         json.dumps(diagnostic.as_dict(), allow_nan=False)
         str(diagnostic).encode()
     return ""
-
-
-def _semantics(source: Source, host: Host) -> Iterator[Diagnostic]:
-    """Yield what the stage `audit` has to say of a facade."""
-    model = open_document(source, host.constraints).model
-    if isinstance(model, Facade) and "audit" in host.stages:
-        stage = host.stages.find("audit")
-        for outcome in stage.run(model, stage.options()):
-            yield from outcome.diagnostics
 
 
 def main() -> int:
@@ -198,6 +188,11 @@ def _stop(number: int, frame: FrameType | None) -> None:
 @cache
 def _host() -> Host:
     return Host.load()
+
+
+@cache
+def _session() -> Session:
+    return Session()
 
 
 def _checked(task: tuple[int, int, bool]) -> Trial:

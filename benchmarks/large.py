@@ -55,8 +55,8 @@ SHAPES: Mapping[str, Callable[[np.random.Generator], Iterator[str]]] = {
 }
 
 
-def write_layout(path: Path, shape: str, size: int, facade: str = "") -> int:
-    """Write a layout of about `size` bytes, and return its number of rows.
+def write_layout(path: Path, shape: str, size: int, facade: str = "") -> None:
+    """Write a layout of about `size` bytes.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def write_layout(path: Path, shape: str, size: int, facade: str = "") -> int:
     with body.open("w", encoding="utf-8") as out:
         for rows in count(1):
             lines = "".join(f"      {line}{end}" for line in SHAPES[shape](generator))
-            out.write(f'    <region symbol="R{rows % KINDS}" height="3" split="columns">{end}')
+            out.write(f'    <region symbol="R{rows % KINDS}" height="3" labels="Row" split="columns">{end}')
             out.write(f"{lines}    </region>{end}")
             if out.tell() >= size:
                 break
@@ -86,31 +86,32 @@ def write_layout(path: Path, shape: str, size: int, facade: str = "") -> int:
                 out.write(text)
         out.write(f"  </region>{end}</layout>{end}")
     body.unlink()
-    return rows
 
 
-def write_facade(path: Path, rows: int) -> None:
-    """Write the facade of a layout of the shapes ``again`` and ``written``."""
-    full = "".join(['<region symbol="A" width="1" labels="Window"/>', '<again symbol="A"/>' * (COLUMNS - 1)])
+def write_facade(path: Path) -> None:
+    """Write a facade that layouts of the shapes ``again`` and ``written`` are variations of.
+
+    It has one row of each symbol, and they may follow each other as they like.
+    """
+    columns = _WINDOW + '<again symbol="A"/>' * (COLUMNS - 1)
+    words = ("|- @Row", "@Row @Row", "@Row -|")
     with path.open("w", encoding="utf-8") as out:
         out.write('<facade xmlns="urn:layoutkit:1" name="large" units="m">\n')
-        out.write(f'<region symbol="F" width="{COLUMNS}" height="{3 * rows}" split="rows">\n')
-        for row in range(1, rows + 1):
-            symbol = f"R{row % KINDS}"
-            if row <= KINDS:
-                out.write(f'<region symbol="{symbol}" height="3" split="columns">{full}</region>\n')
-            else:
-                out.write(f'<again symbol="{symbol}"/>\n')
-        constraint = '<size of="@Window" min="50%" max="150%"/>'
-        out.write(f"</region>\n<constraints>{constraint}</constraints></facade>\n")
+        out.write(f'<region symbol="F" width="{COLUMNS}" height="{3 * KINDS}" split="rows">\n')
+        for row in range(KINDS):
+            head = f'<region symbol="R{row}" height="3" labels="Row" split="columns">'
+            out.write(f"{head}{columns}</region>\n")
+        out.write('</region>\n<constraints>\n<size of="@Window" min="50%" max="150%"/>\n')
+        out.writelines(f'<sequence within="F" word="{word}"/>\n' for word in words)
+        out.write("</constraints></facade>\n")
 
 
 def main() -> None:
     shape, size, file, *facade = sys.argv[1:]
     path = Path(file)
-    rows = write_layout(path, shape, int(size), *facade)
+    write_layout(path, shape, int(size), *facade)
     for name in facade:
-        write_facade(path.with_name(name), rows)
+        write_facade(path.with_name(name))
 
 
 if __name__ == "__main__":

@@ -14,7 +14,15 @@ Node = TypeVar("Node")
 
 
 class Maker(Protocol[Node]):
-    """Makes something of each region, its children first."""
+    """Makes something of each region, its children first.
+
+    Attributes
+    ----------
+    leaf
+        What is made of every region without children, if that is the same for all.
+    """
+
+    leaf: Node | None
 
     def make(
         self,
@@ -40,6 +48,8 @@ class Maker(Protocol[Node]):
 class Numbers:
     """Makes of a region the number of regions that it stands for: nothing of it is kept."""
 
+    leaf: int | None = 1
+
     def make(
         self,
         values: Mapping[str, Any],
@@ -57,6 +67,8 @@ class Numbers:
 
 class Regions:
     """Makes the regions of the model; those that are equal are one object, so that replicas cost nothing."""
+
+    leaf: Region | None = None
 
     def __init__(self) -> None:
         self._made: dict[object, Region] = {}

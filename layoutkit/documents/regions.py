@@ -74,7 +74,8 @@ class RegionReader(Generic[Node]):
         self.open: list[Frame[Node] | Leaf] = []
         self.node: Node | None = None
         self.ended: Callable[[], None] = lambda: None
-        self._maker, self._cursor, self._place = maker, cursor, place
+        self._maker, self._leaf = maker, maker.leaf
+        self._cursor, self._place = cursor, place
         self._tags: Mapping[Split, Tags] = {split: Tags(split) for split in get_args(Split)}
         self._frame: Frame[Node]
         self._texted: object = None
@@ -112,7 +113,8 @@ class RegionReader(Generic[Node]):
             else:
                 self._miss(last, frame)
         elif met is not _NOTHING:
-            self._add(last, self._maker.make(met.values, _size(met, frame)), met.sound)
+            node = self._leaf or self._maker.make(met.values, _size(met, frame))
+            self._add(last, node, met.sound)
 
     def text(self, place: Place) -> None:
         """Take text that is not white space; the first one in an element is a fault."""

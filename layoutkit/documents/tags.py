@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -58,9 +59,8 @@ class Tags:
         met = self._but_for_size.get(tag[:at] + tag[at + 1 :]) if at else None
         if met is None:
             return None
-        try:
-            extent = SIZE.parse(tag[at])
-        except ValueError:
+        extent = _extent(tag[at])
+        if extent is None:
             return None
         symbol, _, split, values, sound = met
         met = Met(symbol, extent, split, values, sound)
@@ -88,3 +88,15 @@ class Tags:
             at = 2 * names.index(self._along) + 2 if self._along in names else 0
             self._at = at
         return at
+
+
+def _extent(text: str) -> float | None:
+    """Read a size; None for what is none. Plain decimals, which may be millions, are read at once."""
+    if text.isascii() and text.replace(".", "", 1).isdigit():
+        extent = float(text)
+        return extent if 0 < extent < math.inf else None
+    try:
+        read: float = SIZE.parse(text)
+    except ValueError:
+        return None
+    return read
