@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Annotated
 
@@ -154,13 +153,11 @@ def _run(arguments: list[str], session: Session) -> int:
         code = app(arguments, prog_name="layoutkit", standalone_mode=False, obj=session)
         session.report()
         return Exit.PLUGIN if session.plugin_failed else int(code or Exit.DONE)
-    except SystemExit as stop:  # typer's own way to end where a pipe is broken
-        if isinstance(stop.__context__, BrokenPipeError):
-            raise BrokenPipeError from stop
+    except (BrokenPipeError, KeyboardInterrupt, typer.Abort):
         raise
-    except (BrokenPipeError, typer.Abort):
-        raise
-    except blame.ANYTHING as error:  # no traceback reaches a user, but whose fault it is
+    except BaseException as error:  # no traceback reaches a user, but whose fault it is
+        if isinstance(error.__context__, BrokenPipeError):  # typer's own way to end where a pipe is broken
+            raise BrokenPipeError from error
         return _fail(error, session, "--json" in arguments)
 
 
@@ -179,6 +176,4 @@ def _diagnosed(error: BaseException) -> Iterable[Diagnostic]:
         return error.diagnostics
     if isinstance(error, usage.UsageFault):
         return [usage.diagnosed(error, [command.__name__ for command, _ in COMMANDS])]
-    if os.environ.get(blame.DEBUG):
-        traceback.print_exception(error)
-    return [blame.diagnosed(error)]
+    return [blame.unforeseen(error)]

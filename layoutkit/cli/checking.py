@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import traceback
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -30,7 +28,9 @@ def structure(source: Source, session: Session) -> tuple[Diagnostic, ...]:
     """Return the faults of a document's structure, names and sums; of a layout, also what it breaks."""
     from layoutkit import documents
 
-    return tuple(documents.check(source, session.host.constraints))
+    found = tuple(documents.check(source, session.host.constraints))
+    halt(found, session)
+    return found
 
 
 def everything(source: Source, session: Session) -> tuple[Diagnostic, ...]:
@@ -57,11 +57,30 @@ def _audited(facade: Facade, file: str, session: Session) -> Iterable[Diagnostic
     except Faulty as faulty:
         return faulty.diagnostics
     except (Exception, blame.Stuck) as error:  # what was found before it is not to be lost
-        return [unforeseen(error, file)]
+        return [blame.unforeseen(error, Place(file))]
+
+
+def halt(found: Iterable[Diagnostic], session: Session) -> None:
+    """End the run where a plugin failed at its work, if that is not to be passed over.
+
+    Raises
+    ------
+    Faulty
+        With what is said of the plugin (LK407).
+    """
+    failed = [d for d in found if d.code == "LK407"]
+    if failed and session.severity is Severity.ERROR:
+        raise Faulty(failed)
 
 
 def checked(source: Source, session: Session, look: Look) -> Checked:
-    """Return a document with what was found, most useful first; whatever fails is a diagnostic as well."""
+    """Return a document with what was found, most useful first; whatever fails is a diagnostic as well.
+
+    Raises
+    ------
+    Faulty
+        If a plugin failed, and that is not to be passed over.
+    """
     from layoutkit.diagnostics.ranking import ranked
     from layoutkit.reports import Checked
 
@@ -70,15 +89,9 @@ def checked(source: Source, session: Session, look: Look) -> Checked:
     except Faulty as faulty:
         found = faulty.diagnostics
     except (Exception, blame.Stuck) as error:  # the other documents are to be checked all the same
-        found = (unforeseen(error, source.file),)
+        found = (blame.unforeseen(error, Place(source.file)),)
+    halt(found, session)
     return Checked(source.file, ranked(found), found=found)
-
-
-def unforeseen(error: BaseException, file: str) -> Diagnostic:
-    """Return the diagnostic of an error that nothing foresaw, at the document that it came up with."""
-    if os.environ.get(blame.DEBUG):
-        traceback.print_exception(error)
-    return blame.diagnosed(error, place=Place(file))
 
 
 def with_fixes(found: Checked, source: Source, session: Session) -> Checked:
@@ -116,7 +129,7 @@ def mend(source: Source, session: Session) -> Mended | None:
     except Faulty:
         raise
     except (Exception, blame.Stuck) as error:
-        raise Faulty([unforeseen(error, source.file)]) from error
+        raise Faulty([blame.unforeseen(error, Place(source.file))]) from error
     return result if result.repairs else None
 
 

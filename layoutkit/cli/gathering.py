@@ -97,19 +97,37 @@ def _inside(folder: str, faults: list[Diagnostic]) -> Iterator[Path]:
 
 
 def _is_foreign(path: Path) -> bool:
-    """Tell whether a file is surely XML of another kind; what cannot be read is none."""
+    """Tell whether a file is surely of another kind: XML, or a text in which no document stands.
+
+    What cannot be read is not.
+    """
     from layoutkit.documents import NAMESPACE
+    from layoutkit.documents.fragments import is_text
     from layoutkit.documents.mending.expected import ROOTS
-    from layoutkit.documents.mending.spelling import meant
     from layoutkit.documents.source import Source
+    from layoutkit.documents.spelling import meant, near_namespace
 
     if not path.is_file():  # a pipe gives what it has only once
         return False
-    root = root_name(Source(str(path)))
+    source = Source(str(path))
+    if is_text(source.file):
+        return _without_documents(source)
+    root = root_name(source)
     if root is None:
         return False
     namespace, _, name = root.rpartition(" ")
-    return namespace != NAMESPACE and (bool(namespace) or meant(name, ROOTS) is None)
+    if namespace and not near_namespace(namespace):
+        return namespace != NAMESPACE
+    return meant(name, ROOTS) is None
+
+
+def _without_documents(text: Source) -> bool:
+    from layoutkit.documents.fragments import fragments
+
+    try:
+        return not fragments(text)
+    except Faulty as faulty:  # of a text that cannot be read, the reader says so
+        return all(d.code == "LK101" for d in faulty.diagnostics)
 
 
 def root_name(source: Source) -> str | None:
@@ -144,10 +162,10 @@ def _in_vain(name: str) -> Diagnostic:
 
 def _left_out(paths: Sequence[Path]) -> Diagnostic:
     shown = ", ".join(map(str, paths[:_SHOWN])) + ", …" * (len(paths) > _SHOWN)
-    some = "1 XML file is no document" if len(paths) == 1 else f"{len(paths)} XML files are no documents"
+    some = "1 file holds" if len(paths) == 1 else f"{len(paths)} files hold"
     return Diagnostic(
         "LK712",
-        f"{some} of layoutkit, and left out: {shown}",
+        f"{some} no document of layoutkit, and {'is' if len(paths) == 1 else 'are'} left out: {shown}",
         hint="name a file by itself to have it checked all the same",
         severity=Severity.NOTE,
         topic="usage",

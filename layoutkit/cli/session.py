@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import sys
+import threading
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
@@ -21,6 +24,9 @@ if TYPE_CHECKING:
     from layoutkit.hooks import Outcome
     from layoutkit.hooks.host import Host
     from layoutkit.sizing.qp import Backend
+
+#: Seconds for what there is to say, where a plugin that cannot be interrupted ends the program.
+_LAST_WORDS = 3.0
 
 
 @dataclass
@@ -51,10 +57,27 @@ class Session:
 
     @cached_property
     def host(self) -> Host:
-        """The plugins, loaded when they are first needed."""
+        """The plugins, loaded when they are first needed, and watched from then on."""
+        from layoutkit.diagnostics.origin import Origin, installed
         from layoutkit.hooks.host import Host
+        from layoutkit.hooks.watching import watching
 
-        return Host.load(self.severity, without=self.without)
+        points = installed()
+        wrong = watching(map(Origin.of, points), self._end)
+        return Host.load(self.severity, points, self.without, wrong)
+
+    def _end(self, failed: Diagnostic) -> None:
+        """Tell which plugin cannot be interrupted, and end the program at once."""
+        # By a thread that is not waited for: what the plugin hangs on may be our own output.
+        teller = threading.Thread(target=self._tell_last, args=(failed,), daemon=True)
+        teller.start()
+        teller.join(_LAST_WORDS)
+        os._exit(Exit.PLUGIN)
+
+    def _tell_last(self, failed: Diagnostic) -> None:
+        self.report([failed])
+        sys.stderr.flush()
+        sys.stdout.flush()
 
     @property
     def plugin_failed(self) -> bool:

@@ -152,6 +152,7 @@ def validate(
         shown_from=least,
         failing_from=Severity[fail_on.name],
         piped={source.file: source.data for source in sources if source.data is not None},
+        unmended=not fix,
     )
     if dry_run and wanted is Format.TEXT:
         _preview(mended, output, session)
@@ -207,6 +208,7 @@ def _mended(sources: Sequence[Source], session: Session) -> tuple[dict[str, Mend
             if result := checking.mend(source, session):
                 mended[source.file] = result
         except Faulty as faulty:
+            checking.halt(faulty.diagnostics, session)
             faults += faulty.diagnostics
     session.report(faults)
     return mended, faults

@@ -17,7 +17,7 @@ from layoutkit.cli.options import FacadeFile, Json, finite
 from layoutkit.cli.render import photo_of
 from layoutkit.cli.results import FACADE_FILE, ResultFolder, Variation
 from layoutkit.cli.session import Session
-from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity, worst
+from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity, blame, worst
 from layoutkit.model import Facade, Layout, Measure
 
 if TYPE_CHECKING:
@@ -222,9 +222,19 @@ def building(
 
 
 def _results(folder: ResultFolder, subject: Facade, count: int, options: dict[str, Any]) -> Iterator[_Result]:
+    """Yield what comes of each variation; where the stage fails, those before it are all there is."""
     session = folder.session
-    outcomes = session.run("relayout", subject, **options)
-    for position, outcome in enumerate(console.progress(outcomes, "variations", count)):
+    outcomes = iter(console.progress(session.run("relayout", subject, **options), "variations", count))
+    for position in range(count):
+        try:
+            outcome = next(outcomes, None)
+        except Faulty:
+            raise
+        except blame.ANYTHING as error:
+            session.report([blame.unforeseen(error)])
+            return
+        if outcome is None:
+            return
         session.report(outcome.diagnostics)
         yield _Result(outcome, _written(folder, position, outcome))
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice
 from math import isnan
+from typing import TYPE_CHECKING, TypeVar
 
-from layoutkit.constraints.constraint import Constraint
-from layoutkit.constraints.view import LayoutView
 from layoutkit.constraints.word_rules import (
     Admits,
     Agree,
@@ -23,7 +23,45 @@ from layoutkit.constraints.word_rules import (
 )
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.diagnostics.blame import Misbehaviour
+from layoutkit.diagnostics.origin import PROJECT
 from layoutkit.model import Facade, Violation
+
+if TYPE_CHECKING:
+    from layoutkit.constraints.constraint import Constraint
+    from layoutkit.constraints.view import LayoutView
+
+T = TypeVar("T")
+
+#: No plugin's constraint gives more answers than this to one question.
+MOST = 1_000_000
+
+
+def bounded(answers: Iterable[T], constraint: Constraint, what: str) -> Iterable[T]:
+    """Return answers that come to an end; those of layoutkit's own kinds as they are.
+
+    Parameters
+    ----------
+    answers
+        As `constraint` gives them, maybe one by one.
+    constraint
+        Whose they are.
+    what
+        What they are, in the plural: ``violations``.
+
+    Raises
+    ------
+    Misbehaviour
+        Once there are more than `MOST`.
+    """
+    own = type(constraint).__module__.partition(".")[0] == PROJECT
+    return answers if own else _bounded(answers, constraint, what)
+
+
+def _bounded(answers: Iterable[T], constraint: Constraint, what: str) -> Iterator[T]:
+    given = iter(answers)
+    yield from islice(given, MOST)
+    for _ in given:
+        raise Misbehaviour(constraint, f"gives more than {MOST:,} {what}")
 
 
 def word_rules_of(facade: Facade, constraints: Sequence[Constraint]) -> list[WordRule]:
@@ -39,7 +77,7 @@ def word_rules_of(facade: Facade, constraints: Sequence[Constraint]) -> list[Wor
         kinds[type(constraint)].append(constraint)
     found: list[WordRule] = []
     for kind, own in kinds.items():
-        for rule in kind.word_rules(own, facade):
+        for rule in bounded(kind.word_rules(own, facade), own[0], "rules on words"):
             if wrong := _wrong(rule, facade):
                 raise Misbehaviour(own[0], f"gives a rule on words that {wrong}")
             found.append(rule)
@@ -54,7 +92,7 @@ def ties_of(constraint: Constraint, facade: Facade) -> Iterator[tuple[int, tuple
     Misbehaviour
         If it ties regions that are not there, or along no axis.
     """
-    for axis, paths in constraint.ties(facade):
+    for axis, paths in bounded(constraint.ties(facade), constraint, "ties"):
         unknown = [path for path in paths if path not in facade.regions]
         if axis not in (0, 1) or unknown:
             what = f"{unknown[0]!r}, which is not there" if unknown else f"along the axis {axis!r}"
@@ -70,7 +108,7 @@ def faults_of(constraint: Constraint, facade: Facade) -> Iterator[Diagnostic]:
     Misbehaviour
         If it answers with something else.
     """
-    for fault in constraint.faults(facade):
+    for fault in bounded(constraint.faults(facade), constraint, "faults"):
         if not isinstance(fault, Diagnostic):
             raise Misbehaviour(constraint, f"gives {fault!r} for a fault, and no Diagnostic")
         yield fault
@@ -84,7 +122,7 @@ def violations_of(constraint: Constraint, view: LayoutView) -> Iterator[Violatio
     Misbehaviour
         If it answers with something else, or with an amount that is none.
     """
-    for violation in constraint.violations(view):
+    for violation in bounded(constraint.violations(view), constraint, "violations"):
         if not isinstance(violation, Violation):
             raise Misbehaviour(constraint, f"gives {violation!r} for a violation, and no Violation")
         if isnan(violation.amount):

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from math import inf, isnan
 from typing import TYPE_CHECKING
 
+from layoutkit.constraints.answers import bounded
 from layoutkit.diagnostics.blame import Misbehaviour
 from layoutkit.model import Extent, Facade
 
@@ -161,13 +162,36 @@ def claims_of(constraint: Constraint, facade: Facade) -> tuple[Claim, ...]:
     """
     key = (id(constraint), "claims")
     if key not in facade.memory:
-        found = tuple(constraint.claims(facade))
+        found = tuple(bounded(constraint.claims(facade), constraint, "claims"))
         for claim in found:
             if wrong := _wrong(claim, facade):
                 raise Misbehaviour(constraint, f"claims what {wrong}")
         facade.memory[key] = constraint, found
     known: tuple[Claim, ...] = facade.memory[key][1]
     return known
+
+
+def relations_of(constraint: Constraint, facade: Facade) -> tuple[Relates, ...] | None:
+    """Return what a constraint's rules on sizes relate; None where it does not say.
+
+    Raises
+    ------
+    Misbehaviour
+        If it says what is no relation, or speaks of regions that are not there.
+    """
+    given = constraint.relations(facade)
+    if given is None:
+        return None
+    found = tuple(given)
+    for relation in found:
+        if not isinstance(relation, Relates):
+            raise Misbehaviour(constraint, f"says that it relates {relation!r}, which is no Relates")
+        named = (*(path for path, _ in relation.frames), *relation.words, *relation.ordered, *relation.paths)
+        if unknown := [path for path in named if path not in facade.regions]:
+            raise Misbehaviour(constraint, f"says that it relates {unknown[0]!r}, which is not there")
+        if undivided := [p for p in (*relation.words, *relation.ordered) if facade.regions[p].split is None]:
+            raise Misbehaviour(constraint, f"says that it hangs on words of {undivided[0]}, which has none")
+    return found
 
 
 def sized(constraint: Constraint, facade: Facade) -> Iterator[Sized]:
@@ -190,12 +214,22 @@ def varying(constraint: Constraint, facade: Facade) -> tuple[str, ...]:
     return tuple(claim.path for claim in claims_of(constraint, facade) if isinstance(claim, Varies))
 
 
+def _no_axis(axis: object) -> str:
+    return "" if axis in (0, 1) else f"is along no axis: {axis!r}"
+
+
 def _wrong(claim: object, facade: Facade) -> str:
     """Say what is wrong with a claim; empty if nothing is."""
     if not isinstance(claim, Claim):
         return f"is no claim: {claim!r}"
     if isinstance(claim, Sized | Permits | Varies) and claim.path not in facade.regions:
         return f"is not there: {claim.path!r}"
+    if isinstance(claim, InLine):
+        unknown = [path for path in (*claim.first, *claim.second) if path not in facade.regions]
+        return f"is not there: {unknown[0]!r}" if unknown else _no_axis(claim.axis)
+    if isinstance(claim, EquallyLarge):
+        odd = [extent for extent in claim.extents if not isinstance(extent, Extent)]
+        return f"is no extent: {odd[0]!r}" if odd else _no_axis(claim.axis)
     if isinstance(claim, Permits) and facade.regions[claim.path].split is None:
         return f"has no arrangement: {claim.path}"
     if isinstance(claim, Sized):

@@ -96,7 +96,9 @@ def divided(region: Region, axis: int) -> bool:
 
 def default_words(facade: Facade) -> tuple[InputWord, ...]:
     """Return what keeps the words of the composite regions that no sequence speaks of."""
-    spoken = {path for constraint in expanded(facade) for path in permitted(constraint, facade)}
+    # A permission that may be taken back does not free an arrangement: nothing would hold without it.
+    hard = (constraint for constraint in expanded(facade) if not constraint.soft)
+    spoken = {path for constraint in hard for path in permitted(constraint, facade)}
     return tuple(
         InputWord(path=path) for path, region in facade.regions.items() if region.split and path not in spoken
     )

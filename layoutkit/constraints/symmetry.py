@@ -66,9 +66,8 @@ class Symmetry(Constraint):
         """Yield a mirrored word for each region."""
         for constraint in constraints:
             for path in constraint.of:
-                yield Mirrored(
-                    path, {a: (b,) for a, b in constraint.partners(facade, path).items()}, (constraint,)
-                )
+                own = {a: (b,) for a, b in constraint.partners(facade, path).items()}
+                yield Mirrored(path, own, (constraint,), equal=True)
 
     def relations(self, facade: Facade) -> Iterator[Relates]:
         """Yield the children of each region with pairs: in a word that mirrors itself, both occur, or none.

@@ -129,11 +129,14 @@ class Mirrored:
     ----------
     partners
         The partners of every symbol: itself alone, for most.
+    equal
+        Whether what mirrors each other is equally large as well, as the constraint's rules on sizes say.
     """
 
     path: str
     partners: Mapping[str, tuple[str, ...]]
     origin: tuple[Constraint, ...]
+    equal: bool = False
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import os
 import traceback
+from collections.abc import Sequence
+from types import FrameType
+from typing import Any
 
 from layoutkit.diagnostics.diagnostic import Diagnostic, Place
 from layoutkit.diagnostics.origin import origin_of, origins
 
 #: The environment variable that makes the traceback of an unexpected error appear.
 DEBUG = "LAYOUTKIT_DEBUG"
+_SEE = f"run the command again with {DEBUG}=1 in the environment to see the traceback"
 
 
 class Misbehaviour(Exception):  # noqa: N818 - it is a fault of what it names, and no error of ours
@@ -37,7 +42,14 @@ class Stuck(BaseException):
 
 
 #: All that a plugin's code may end in, where the work goes on without it.
-ANYTHING = (Exception, Stuck)
+ANYTHING = (Exception, Stuck, SystemExit)
+
+
+def unforeseen(error: BaseException, place: Place | None = None) -> Diagnostic:
+    """Return the diagnostic of an error that ended some work; its traceback is printed if that is asked."""
+    if os.environ.get(DEBUG):
+        traceback.print_exception(error)
+    return diagnosed(error, place=place)
 
 
 def diagnosed(
@@ -59,17 +71,22 @@ def diagnosed(
     place
         Where in a document that stands.
     """
-    see = f"run the command again with {DEBUG}=1 in the environment to see the traceback"
     if isinstance(error, Misbehaviour):
         place = place or error.place
-    whose = _blamed(error, culprit.__module__ if culprit is not None else "")
+    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
+    whose, own = _blamed(error, culprit.__module__ if culprit is not None else "", frames)
     if not whose:
         message = f"{what or 'layoutkit'} failed: {described(error)}"
-        hint = f"this is a fault of ours, please report it; {see}"
+        hint = f"this is a fault of ours, please report it; {_SEE}"
         return Diagnostic("LK901", message, place, hint, topic="internal")
+    asked: Any = own.f_locals.get("self") if own is not None else None
+    if not what and hasattr(asked, "qualified_name"):
+        what, place = f"the constraint kind {asked.qualified_name()!r}", place or asked.place
     who = f"{what} of {whose}" if what else whose
-    hint = f"report it to the plugin's author; {see}"
-    return Diagnostic("LK407", f"{who} failed: {described(error)}", place, hint, topic="plugin")
+    line = next((n for frame, n in traceback.walk_tb(error.__traceback__) if frame is own), 0)
+    at = () if own is None else (f"in {own.f_code.co_name}(), {own.f_code.co_filename}:{line}",)
+    hint = f"if the plugin is not yours, report it to its author; {_SEE}"
+    return Diagnostic("LK407", f"{who} failed: {described(error)}", place, hint, topic="plugin", details=at)
 
 
 def described(error: BaseException) -> str:
@@ -79,15 +96,18 @@ def described(error: BaseException) -> str:
     return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
 
 
-def _blamed(error: BaseException, culprit: str) -> str:
-    """Return whose plugin had to do with an error, the innermost; empty for our own."""
+def _blamed(error: BaseException, culprit: str, frames: Sequence[FrameType]) -> tuple[str, FrameType | None]:
+    """Return whose plugin had to do with an error, and its innermost frame; empty for our own."""
     known = origins()
-    frames = [str(frame.f_globals.get("__name__", "")) for frame, _ in traceback.walk_tb(error.__traceback__)]
-    named = [error.module] if isinstance(error, Misbehaviour) else []
-    for module in (*named, *reversed(frames), culprit):
-        origin = origin_of(module, known)
+    if isinstance(error, Misbehaviour):
+        origin = origin_of(error.module, known)
         if origin is not None and not origin.ours:
-            return f"the {origin}"
-    if culprit and origin_of(culprit, known) is None:
-        return f"the module {culprit}"
-    return ""
+            return f"the {origin}", None
+    for frame in reversed(frames):
+        origin = origin_of(str(frame.f_globals.get("__name__", "")), known)
+        if origin is not None and not origin.ours:
+            return f"the {origin}", frame
+    origin = origin_of(culprit, known) if culprit else None
+    if origin is not None and not origin.ours:
+        return f"the {origin}", None
+    return (f"the module {culprit}" if culprit and origin is None else ""), None

@@ -49,6 +49,8 @@ class Diagnostic:
         Where everything stands that the fault is about, if that is more than one thing.
     hint
         What to do about it; empty if there is nothing to say.
+    count
+        How many faults it stands for: more than one where others of its kind are not told one by one.
     """
 
     code: str
@@ -59,6 +61,7 @@ class Diagnostic:
     topic: str = "document"
     details: tuple[str, ...] = ()
     related: tuple[Place, ...] = ()
+    count: int = 1
 
     def __str__(self) -> str:
         where = f"{self.place}: " if self.place else ""

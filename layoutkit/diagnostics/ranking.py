@@ -78,7 +78,8 @@ def _file(diagnostic: Diagnostic) -> str:
 
 def _unknown_name(diagnostic: Diagnostic) -> str:
     """Return the name that is not there, as a path where one is known; empty for another kind of fault."""
-    found = _UNKNOWN.search(diagnostic.message) if diagnostic.code == "LK201" else None
+    told = diagnostic.code == "LK201" and diagnostic.count == 1  # else it speaks of other names as well
+    found = _UNKNOWN.search(diagnostic.message) if told else None
     if found is None:
         return ""
     within = _WITHIN.fullmatch(found["what"])

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from layoutkit.constraints import Constraint
 from layoutkit.constraints.dressing import dressed, dressing_faults
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean, worst
 from layoutkit.documents.facade_regions import FacadeReader
+from layoutkit.documents.files import like_one_beside
 from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, MASS, NAMESPACE, PICTURE
 from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
 from layoutkit.documents.makers import Maker, Numbers, Regions
 from layoutkit.documents.masses import mass_of
 from layoutkit.documents.reading import Reading, in_order
 from layoutkit.documents.source import Source
+from layoutkit.documents.spelling import near_namespace
 from layoutkit.documents.streaming import LAYOUT_PARTS, Making, Streamed, stream
 from layoutkit.documents.tree import Element
 from layoutkit.model import Facade, Layout, Mass, Picture, Region
@@ -74,7 +76,7 @@ def read(path: Path | str, kinds: Kinds) -> Document:
     ----------
     path
         The document. A layout's facade is looked for beside it; without it, ``Layout.facade`` is None, and
-        a note says so.
+        a warning says so.
     kinds
         Constraint kinds by the name of their element.
 
@@ -121,7 +123,7 @@ def _check_root(root: Element, reading: Reading) -> None:
     ours = root.namespace in ("", NAMESPACE)
     if not ours or root.name not in names:
         shown = f"of the namespace {root.namespace!r}" if not ours else "no document of ours"
-        hint = "`layoutkit convert` reads other formats" if not ours else did_you_mean(root.name, names)
+        hint = namespace_hint(root) if not ours else did_you_mean(root.name, names)
         if ours and root.name == MASS.name:
             shown, hint = "no facade", "name a facade; the mass goes with it: --mass"
         reading.fault("LK101", f"<{root.name}> is {shown}", root, hint)
@@ -129,6 +131,13 @@ def _check_root(root: Element, reading: Reading) -> None:
     if not root.namespace:
         hint = f'write <{root.name} xmlns="{NAMESPACE}" ...>'
         reading.fault("LK101", f"<{root.name}> is of no namespace", root, hint)
+
+
+def namespace_hint(root: Element) -> str:
+    """Say what to do about a root of another namespace."""
+    if near_namespace(root.namespace):
+        return f"did you mean {NAMESPACE!r}?"
+    return "`layoutkit convert` reads other formats"
 
 
 def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
@@ -218,13 +227,21 @@ def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) ->
     try:
         if not path.is_file():  # a device or pipe that a document names is not to be read
             message = f"the layout's facade {layout.facade_file!r} is not there"
-            reading.diagnostics.append(
-                Diagnostic("LK504", message, root.place, severity=Severity.NOTE, topic="layout")
+            warning = Diagnostic(
+                "LK504",
+                message,
+                root.place,
+                _missing_hint(layout.facade_file, path),
+                Severity.WARNING,
+                "layout",
             )
+            reading.diagnostics.append(warning)
             return None
         facade_root = stream(Source.of(path), lambda layout, root: Numbers()).root
         if facade_root.name == LAYOUT.name:
-            reading.fault("LK505", f"{layout.facade_file!r} is no facade, but a layout", root, topic="layout")
+            message = f"{layout.facade_file!r} is no facade, but a layout"
+            hint = "name the facade that the layout was made from; where `vary` made it, that is facade.xml"
+            reading.fault("LK505", message, root, hint, topic="layout")
             return None
         facade_reading = Reading(facade_root.namespace)
         _check_root(facade_root, facade_reading)
@@ -241,6 +258,13 @@ def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) ->
     faults = [d for d in dressing_faults(facade, layout.mass) if d.severity is Severity.ERROR]
     reading.diagnostics += faults
     return None if faults else dressed(facade, layout.mass)
+
+
+def _missing_hint(name: str, path: Path) -> str:
+    near = like_one_beside(path)
+    if near is None:
+        return "put the facade there, or correct the attribute facade"
+    return f"did you mean {PurePosixPath(name).with_name(near.name).as_posix()!r}?"
 
 
 def _parts(root: Element, allowed: tuple[str, ...], reading: Reading) -> dict[str, Element]:

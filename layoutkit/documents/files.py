@@ -68,6 +68,20 @@ def unreadable(path: Path, error: Exception) -> Diagnostic:
     return Diagnostic("LK001", message, Place(str(path)), _hint(path, error), topic="file")
 
 
+def like_one_beside(path: Path) -> Path | None:
+    """Return the XML file whose name is most like that of one that is not there; None if none is near.
+
+    It is looked for in the same folder, and nowhere else.
+    """
+    try:
+        beside = path.parent.iterdir() if path.parent.is_dir() else ()
+        names = {p.stem: p.name for p in sorted(beside) if p.suffix.lower() == ".xml"}
+    except (OSError, ValueError):
+        return None
+    near = nearest(path.stem, names)
+    return None if near is None else path.with_name(names[near])
+
+
 def _hint(path: Path, error: Exception) -> str:
     if isinstance(error, IsADirectoryError):
         documents = sorted(p.name for p in path.glob("*.xml"))

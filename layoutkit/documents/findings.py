@@ -31,11 +31,12 @@ class Findings:
         return self._counts.total()
 
     def __iter__(self) -> Iterator[Diagnostic]:
-        """Yield those that were kept, then one for each code of which there were more."""
+        """Yield those that were kept, then one for each code of which there were more, with their count."""
         yield from self._kept
         for kind, first in self._beyond.items():
-            message = f"and {self._counts[kind] - KEPT:,} more of this kind, from here on: {first.message}"
-            yield replace(first, message=message)
+            count = self._counts[kind] - KEPT
+            message = f"and {count:,} more of this kind, from here on: {first.message}"
+            yield replace(first, message=message, count=count)
 
     def __iadd__(self, found: Iterable[Diagnostic]) -> Findings:
         for diagnostic in found:

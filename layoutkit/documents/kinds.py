@@ -16,6 +16,7 @@ from layoutkit.diagnostics import Diagnostic, did_you_mean
 from layoutkit.diagnostics.blame import ANYTHING, diagnosed
 from layoutkit.documents.grammar import CONSTRAINTS, ElementType, element_type
 from layoutkit.documents.reading import Reading
+from layoutkit.documents.spelling import meant
 from layoutkit.documents.tree import Element
 from layoutkit.model import Facade
 
@@ -100,7 +101,10 @@ def _unknown(element: Element, parent: Element, kinds: Kinds, reading: Reading) 
         reading.fault("LK102", message, element, did_you_mean(element.name, own))
         return
     message = f"no plugin that is loaded has constraints of the namespace {element.namespace!r}"
+    near = meant(element.namespace, {kind.namespace.uri for kind in kinds.values()})
     hint = f"install or enable the plugin that <{element.name}> is of, or delete it"
+    if near is not None:
+        hint = f"did you mean {near!r}?"
     reading.fault("LK113", message, element, hint)
 
 

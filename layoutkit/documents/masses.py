@@ -13,6 +13,7 @@ from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.documents.grammar import BOX, FOOTPRINT, MASS, NAMESPACE, ElementType
 from layoutkit.documents.reading import Reading
 from layoutkit.documents.source import Source
+from layoutkit.documents.spelling import near_namespace
 from layoutkit.documents.tree import Element, parse
 from layoutkit.model import Block, Footprint, Mass, Part
 from layoutkit.model.facade import Units
@@ -67,6 +68,8 @@ def read_mass(document: Path | str | Source) -> MassDocument:
     if root.name != MASS.name or root.namespace not in ("", NAMESPACE):
         hint = "a mass is described by <mass>, which holds boxes and footprints"
         message = f"<{root.name}> is no mass"
+        if root.name == MASS.name and near_namespace(root.namespace):
+            message, hint = f"<mass> is of the namespace {root.namespace!r}", f"did you mean {NAMESPACE!r}?"
         raise Faulty([Diagnostic("LK101", message, root.place, hint, topic="schema")])
     reading = Reading(root.namespace)
     read = mass_document(root, reading)

@@ -6,6 +6,7 @@ on with what was meant; where it is not, the value is unknown, and nothing that 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable
 from typing import Any
 
@@ -32,6 +33,8 @@ _ELEMENTS = {t.name for t in (FACADE, LAYOUT, MASS, PICTURE, REGION, AGAIN, CONS
 _INSTANCE = "http://www.w3.org/2001/XMLSchema-instance"
 #: Where an editor finds the schema: allowed on every element, and not for us to read.
 _SCHEMA_LOCATIONS = {f"{{{_INSTANCE}}}schemaLocation", f"{{{_INSTANCE}}}noNamespaceSchemaLocation"}
+
+_DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 
 
 class Reading:
@@ -83,12 +86,12 @@ class Reading:
             return element.attributes
         found = {name: text for name, text in element.attributes.items() if name in known}
         for name in [n for n in element.attributes if n not in found and n not in _SCHEMA_LOCATIONS]:
-            self.fault(
-                "LK103", f"<{element.name}> has no attribute {name!r}", element, did_you_mean(name, known)
-            )
-            meant = nearest(name, known)
-            if meant is not None and meant not in found:
+            meant, hint = nearest(name, known), did_you_mean(name, known)
+            if meant in found:
+                hint = f"{meant!r} is there already: delete this one"
+            elif meant is not None:
                 found[meant] = element.attributes[name]
+            self.fault("LK103", f"<{element.name}> has no attribute {name!r}", element, hint)
         return found
 
     def _value(self, element: Element, attribute: Attribute, text: str) -> Any:
@@ -97,7 +100,7 @@ class Reading:
         except ValueError as error:
             code = "LK106" if attribute.type is SIZE else "LK105"
             choices = attribute.type.choices
-            hint = did_you_mean(text, choices) if choices else attribute.help
+            hint = did_you_mean(text, choices) if choices else _pointed(attribute, text) or attribute.help
             self.fault(code, f"{attribute.name} of <{element.name}>: {error}", element, hint)
         return None
 
@@ -138,6 +141,18 @@ def in_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
         return (files.index(place.file), place.line, place.column) if place else (-1, 0, 0)
 
     return tuple(sorted(once, key=position))
+
+
+def _pointed(attribute: Attribute, text: str) -> str:
+    """Return a hint where a value can be read once decimal commas are points; else an empty one."""
+    pointed = _DECIMAL_COMMA.sub(".", text)
+    try:
+        if pointed == text:
+            return ""
+        attribute.type.parse(pointed)
+    except ValueError:
+        return ""
+    return f"write {pointed.strip()}: a point, not a comma"
 
 
 def _list_of(names: Collection[str]) -> str:

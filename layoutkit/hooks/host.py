@@ -16,7 +16,6 @@ from layoutkit.diagnostics.origin import Origin, installed
 from layoutkit.hooks import checks
 from layoutkit.hooks.loading import Loaded, remaining
 from layoutkit.hooks.lookup import Lookup
-from layoutkit.hooks.watching import watching
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
@@ -79,6 +78,7 @@ class Host:
         severity: Severity = Severity.WARNING,
         points: Iterable[EntryPoint] | None = None,
         without: Collection[str] = (),
+        diagnostics: Iterable[Diagnostic] = (),
     ) -> Host:
         """Load the installed plugins, less those that ``LAYOUTKIT_DISABLE_PLUGINS`` or `without` names.
 
@@ -90,6 +90,8 @@ class Host:
             Entry points to load instead of the installed ones.
         without
             Names of plugins that are not to be loaded.
+        diagnostics
+            What was wrong before any was loaded.
 
         Raises
         ------
@@ -98,8 +100,7 @@ class Host:
         """
         disabled = {*(name.strip() for name in os.environ.get(DISABLE, "").split(",")), *without} - {""}
         kept, unknown = remaining(installed() if points is None else points, disabled)
-        patience = watching(origin for origin in map(Origin.of, kept) if not origin.ours)
-        return cls(Loaded(kept), severity, [*unknown, *patience])
+        return cls(Loaded(kept), severity, [*unknown, *diagnostics])
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:

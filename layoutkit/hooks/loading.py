@@ -13,9 +13,6 @@ from layoutkit.diagnostics.origin import BUILT_IN, PROJECT, Origin
 from layoutkit.hooks import builtin
 from layoutkit.hooks.specs import API, API_VERSION, Hooks
 
-#: What calls off the loading of a plugin, besides errors: modules that end the program, or do not end.
-_FATAL = (*ANYTHING, SystemExit)
-
 
 def remaining(
     points: Iterable[EntryPoint], disabled: Collection[str]
@@ -62,7 +59,7 @@ class Loaded:
             return
         try:
             plugin = point.load()
-        except _FATAL as error:
+        except ANYTHING as error:
             self._report("LK401", origin, f"cannot be loaded: {described(error)}")
             return
         if (wanted := getattr(plugin, API, API_VERSION)) != API_VERSION:

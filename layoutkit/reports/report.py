@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -57,6 +57,8 @@ class Report:
         The least severity that counts as a failure.
     piped
         The bytes of documents that are no files, by name.
+    unmended
+        Whether nothing was tried to mend what is safe to mend.
     """
 
     documents: tuple[Checked, ...]
@@ -64,6 +66,7 @@ class Report:
     shown_from: Severity = Severity.NOTE
     failing_from: Severity = Severity.ERROR
     piped: Mapping[str, bytes] = field(default_factory=dict)
+    unmended: bool = True
 
     @cached_property
     def found(self) -> tuple[Diagnostic, ...]:
@@ -96,12 +99,28 @@ class Report:
 
 def verdict(checked: Checked) -> str:
     """Say in a few words what was found in a document."""
-    counts = Counter(d.severity for d in checked.diagnostics)
-    parts = [
+    parts = _counted(checked.diagnostics)
+    if checked.repairs:
+        parts.insert(0, f"{len(checked.repairs)} mended")
+    return ", ".join(["valid"] * checked.valid + parts)
+
+
+def total(report: Report) -> str:
+    """Say in a few words what was found in all documents; what several of them share counts once."""
+    valid, count = sum(checked.valid for checked in report.documents), len(report.documents)
+    some = [f"{valid} valid"] * (valid > 0) + [f"{count - valid} with errors"] * (valid < count)
+    repairs = sum(len(checked.repairs) for checked in report.documents)
+    found = ", ".join(_counted({d: None for checked in report.documents for d in checked.diagnostics}))
+    return ", ".join([*some, *[f"{repairs} mended"] * (repairs > 0)]) + (f" ({found})" if found else "")
+
+
+def _counted(diagnostics: Iterable[Diagnostic]) -> list[str]:
+    """Say how many diagnostics there are of each severity, the gravest first."""
+    counts: Counter[Severity] = Counter()
+    for diagnostic in diagnostics:
+        counts[diagnostic.severity] += diagnostic.count
+    return [
         f"{counts[severity]} {severity}{'s' if counts[severity] > 1 else ''}"
         for severity in reversed(Severity)
         if counts[severity]
     ]
-    if checked.repairs:
-        parts.insert(0, f"{len(checked.repairs)} mended")
-    return ", ".join(["valid"] * checked.valid + parts)

@@ -7,22 +7,31 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from layoutkit.diagnostics import Diagnostic, Place
-from layoutkit.documents.mending import Repair
+from layoutkit.documents.mending import MENDED, Repair
 from layoutkit.reports.drawing import drawn
-from layoutkit.reports.report import Report, verdict
+from layoutkit.reports.report import Report, total, verdict
 from layoutkit.reports.source import Excerpt, Open, excerpts
 
 
 def text_report(report: Report) -> str:
-    """Return all diagnostics, then a line for each document."""
+    """Return all diagnostics, then a line for each document, and one for all."""
     lines = [*with_source(report.diagnostics, report.piped), *verdicts(report)]
     return "".join(f"{line}\n" for line in lines)
 
 
 def verdicts(report: Report) -> list[str]:
-    """Return what was mended, and a line for each document."""
+    """Return what was mended, and a line for each document; of several, also one for all."""
     lines = mending("mended", (repair for checked in report.documents for repair in checked.repairs))
-    return [*lines, *(f"{checked.document}: {verdict(checked)}" for checked in report.documents)]
+    lines += [f"{checked.document}: {verdict(checked)}" for checked in report.documents]
+    if len(report.documents) > 1:
+        some = "; `--fix` may mend some of it" if report.unmended and _mendable(report) else ""
+        lines.append(f"{len(report.documents)} documents: {total(report)}{some}")
+    return lines
+
+
+def _mendable(report: Report) -> bool:
+    """Tell whether there are faults of kinds that can be mended at times."""
+    return any(d.code in MENDED for checked in report.documents for d in checked.diagnostics)
 
 
 def mending(verb: str, repairs: Iterable[Repair]) -> list[str]:

@@ -65,29 +65,49 @@ class Bend:
         """Return its quantities at the values of all variables, in document units."""
         return np.array([value(quantity.form, values) for quantity in self.rule.quantities])
 
-    def tangents(self, quantities: Floats) -> tuple[Floats, Floats]:
-        """Return its excesses, and the gradient of each.
-
-        Raises
-        ------
-        Misbehaviour
-            If one is no number there.
-        """
+    def excess(self, quantities: Floats) -> Floats:
+        """Return its excesses; NaN where one has no value."""
         variable, expression = self._stated
         variable.value = quantities
-        excess = np.atleast_1d(np.asarray(expression.value, dtype=float))
-        gradient = expression.grad[variable]
-        if gradient is None or not np.all(np.isfinite(excess)):
-            shown = ", ".join(f"{q:g}" for q in quantities)
-            raise Misbehaviour(self.rule.origin, f"gives an excess that is no number at {shown}")
-        slopes = np.asarray(gradient.toarray() if hasattr(gradient, "toarray") else gradient, dtype=float)
-        return excess, slopes.reshape(len(quantities), len(excess)).T
+        with np.errstate(all="ignore"):  # where it has no value, it says so
+            found = expression.value
+        if found is None:
+            return np.full(expression.size, np.nan)
+        return np.atleast_1d(np.asarray(found, dtype=float))
 
-    def broken(self, values: Floats, size: float) -> Iterator[Range]:
-        """Yield the tangents of what is not kept at the values of all variables."""
+    def slopes(self, quantities: Floats) -> Floats | None:
+        """Return a gradient of each excess, as rows; None where cvxpy knows none."""
+        variable, expression = self._stated
+        variable.value = quantities
+        try:
+            gradient = expression.grad.get(variable, 0.0)
+        except (NotImplementedError, ValueError, KeyError, TypeError):  # as of some of its functions
+            return None
+        if gradient is None:  # it has no value there
+            return None
+        whole = gradient.toarray() if hasattr(gradient, "toarray") else gradient
+        return np.broadcast_to(np.asarray(whole, dtype=float), (len(quantities), expression.size)).T
+
+    def kept(self, values: Floats, size: float) -> bool:
+        """Tell whether the rule is kept at the values of all variables, as far as tangents tell it."""
         own = self.quantities(values)
-        for excess, slope in zip(*self.tangents(own), strict=True):
-            if excess > _TOLERANCE * size * np.abs(slope).sum():
+        excess = self.excess(own)
+        if np.all(excess <= 0):
+            return True
+        if not np.all(np.isfinite(excess)):
+            return False
+        slopes = self.slopes(own)
+        steepness = 1.0 if slopes is None else np.abs(slopes).sum(axis=1)
+        # Where it is flat, as a square is at 0, it grows with the square of the distance.
+        reach = np.maximum(_TOLERANCE * size * steepness, (_TOLERANCE * size) ** 2)
+        return bool(np.all(excess <= reach))
+
+    def tangents(self, values: Floats) -> Iterator[Range]:
+        """Yield the tangents at the values of all variables: what the rule asks for implies them."""
+        own = self.quantities(values)
+        slopes = self.slopes(own)
+        for excess, slope in () if slopes is None else zip(self.excess(own), slopes, strict=True):
+            if np.isfinite(excess) and np.all(np.isfinite(slope)):
                 form: dict[int, float] = {}
                 for quantity, factor in zip(self.rule.quantities, slope, strict=True):
                     form = add(form, quantity.form, float(factor))
@@ -95,9 +115,9 @@ class Bend:
                 yield Range(self.rule.axis, form, -np.inf, most, self.rule.origin, self.rule.words)
 
 
-def broken(bends: Sequence[Bend], values: Floats, size: float) -> list[Range]:
-    """Return the tangents of all rules that are not kept at the values of all variables."""
-    return [row for bend in bends for row in bend.broken(values, size)]
+def kept(bends: Sequence[Bend], values: Floats, size: float) -> bool:
+    """Tell whether all rules are kept at the values of all variables."""
+    return all(bend.kept(values, size) for bend in bends)
 
 
 def nearest(plan: Plan, problem: QP, bends: Sequence[Bend], size: float) -> Floats | None:
@@ -106,16 +126,18 @@ def nearest(plan: Plan, problem: QP, bends: Sequence[Bend], size: float) -> Floa
     point = cvxpy.Variable(plan.free)
     scaled = np.sqrt(problem.weights / problem.weights.max(initial=1.0))
     missed = cvxpy.multiply(scaled, problem.differences @ point - problem.targets)
-    kept = [expression <= 0 for expression in _over(plan, point, bends, size)]
-    return _solved(cvxpy.Problem(cvxpy.Minimize(cvxpy.sum_squares(missed)), [*_rows(problem, point), *kept]))
+    below = [expression <= 0 for expression in _over(plan, point, bends, size)]
+    return _solved(
+        cvxpy.Problem(cvxpy.Minimize(cvxpy.sum_squares(missed)), [*_rows(problem, point), *below]), point
+    )
 
 
 def least_missed(plan: Plan, problem: QP, bends: Sequence[Bend], size: float) -> Floats | None:
     """Return the point that keeps all rows of a program, and misses its convex rules least."""
     cvxpy = _cvxpy(bends[0].rule)
     point, most = cvxpy.Variable(plan.free), cvxpy.Variable()
-    kept = [expression <= most for expression in _over(plan, point, bends, size)]
-    return _solved(cvxpy.Problem(cvxpy.Minimize(most), [*_rows(problem, point), *kept, most >= 0]), point)
+    below = [expression <= most for expression in _over(plan, point, bends, size)]
+    return _solved(cvxpy.Problem(cvxpy.Minimize(most), [*_rows(problem, point), *below, most >= 0]), point)
 
 
 def _over(plan: Plan, point: Any, bends: Sequence[Bend], size: float) -> Iterator[Any]:
@@ -142,7 +164,7 @@ def _rows(problem: QP, point: Any) -> list[Any]:
     return found
 
 
-def _solved(problem: Any, point: Any = None) -> Floats | None:
+def _solved(problem: Any, point: Any) -> Floats | None:
     import warnings
 
     import cvxpy
@@ -153,7 +175,6 @@ def _solved(problem: Any, point: Any = None) -> Floats | None:
             problem.solve(solver=cvxpy.CLARABEL, **_ACCURACY)
         except cvxpy.error.SolverError:
             return None
-    point = problem.variables()[0] if point is None else point
     return None if point.value is None else np.asarray(point.value, dtype=float)
 
 
@@ -161,5 +182,7 @@ def _cvxpy(rule: Convex) -> Any:
     try:
         import cvxpy
     except ImportError as error:
-        raise Misbehaviour(rule.origin, "has a convex rule, and cvxpy is not installed") from error
+        raise Misbehaviour(
+            rule.origin, "has a convex rule, which needs cvxpy: pip install 'layoutkit[convex]'"
+        ) from error
     return cvxpy

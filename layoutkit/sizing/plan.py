@@ -153,7 +153,7 @@ class Plan:
         forms = self.over_free([rule.form for rule in extra])
         if not isinstance(self.rows, np.ndarray):
             return plan._appended(forms, extra)
-        equal = np.array([rule.least == rule.most for rule in extra])
+        equal = np.array([rule.least == rule.most for rule in extra], dtype=bool)
         plan = plan._appended(forms[~equal], [rule for rule in extra if rule.least != rule.most])
         forms = forms[equal]
         forms[:, -1] -= [rule.least for rule in extra if rule.least == rule.most]

@@ -13,7 +13,7 @@ from layoutkit.diagnostics.blame import Misbehaviour
 from layoutkit.sizing.arrangement import Slot, add, value
 from layoutkit.sizing.backends import polish
 from layoutkit.sizing.conflicts import Contradiction
-from layoutkit.sizing.convex import Bend, broken, least_missed, nearest
+from layoutkit.sizing.convex import Bend, kept, least_missed, nearest
 from layoutkit.sizing.overlaps import OVERLAP, Lines, Meetings, Pair, words_of
 from layoutkit.sizing.plan import DENSE, Plan, make_plan
 from layoutkit.sizing.qp import QP, Backend, Floats, Solution
@@ -24,6 +24,8 @@ Order = tuple[Slot, Slot, Pair]
 
 #: Rows hold to this share of the facade's size in every accepted solution: well below what is promised.
 RESIDUAL = 1e-8
+#: Rounds of tangents that refute convex rules.
+CUTS = 40
 
 
 @dataclass(frozen=True, eq=False)
@@ -259,29 +261,47 @@ class _Task:
     def _bent(self, plan: Plan, problem: QP, point: Floats) -> Floats | Contradiction | None:
         """Return the nearest point that keeps the convex rules too, from the one that keeps the others."""
         bends = self.guess.axis.bends
-        if not broken(bends, plan.values(point, self.size), self.size):
+        if kept(bends, plan.values(point, self.size), self.size):
             return point
         found = nearest(plan, problem, bends, self.size)
-        if found is not None:
-            found = polish(problem, found)
-            point = plan.point(found, self.size)
-            kept = not broken(bends, plan.values(point, self.size), self.size)
-            if kept and problem.residual(found) <= RESIDUAL:
-                return point
+        if found is not None and (sound := self._kept(plan, problem, found)) is not None:
+            return sound
         return self._refuted(plan, problem)
 
-    def _refuted(self, plan: Plan, problem: QP) -> Contradiction | None:
-        """Return why the convex rules cannot be kept: tangents that the other rules contradict."""
-        found = least_missed(plan, problem, self.guess.axis.bends, self.size)
-        if found is None:
-            return None
-        values = plan.values(plan.point(found, self.size), self.size)
-        cut = plan.with_rows(broken(self.guess.axis.bends, values, self.size))
-        further = cut.problem(self.size, self.drawn.sizes, self.drawn.weights)
-        if isinstance(further, Contradiction):
-            return further
-        multipliers = minimum(further, self.backends).multipliers
-        return None if multipliers is None else cut.contradiction(cut.row_of(multipliers), self.size)
+    def _kept(self, plan: Plan, problem: QP, solution: Floats) -> Floats | None:
+        """Return the point of a solution, if it keeps all rules."""
+        solution = polish(problem, solution)
+        point = plan.point(solution, self.size)
+        sound = problem.residual(solution) <= RESIDUAL
+        bends = self.guess.axis.bends
+        return point if sound and kept(bends, plan.values(point, self.size), self.size) else None
+
+    def _refuted(self, plan: Plan, problem: QP) -> Floats | Contradiction | None:
+        """Return why the convex rules cannot be kept: tangents that the other rules contradict.
+
+        The first tangents are those where the rules are missed least; where that is at a kink, of which each
+        tangent tells one side, others follow from what the first ones leave. A point on the way may keep all.
+        """
+        solution = least_missed(plan, problem, self.guess.axis.bends, self.size)
+        cut = plan
+        for _ in range(CUTS):
+            if solution is None:
+                return None
+            if (sound := self._kept(plan, problem, solution)) is not None:
+                return sound
+            values = plan.values(plan.point(solution, self.size), self.size)
+            tangents = [row for bend in self.guess.axis.bends for row in bend.tangents(values)]
+            if not tangents:
+                return None
+            cut = cut.with_rows(tangents)
+            further = cut.problem(self.size, self.drawn.sizes, self.drawn.weights)
+            if isinstance(further, Contradiction):
+                return further
+            found = minimum(further, self.backends)
+            if found.multipliers is not None:
+                return cut.contradiction(cut.row_of(found.multipliers), self.size)
+            solution = found.x
+        return None
 
     def _ways(self, plan: Plan, pairs: Sequence[Pair]) -> Iterator[Plan]:
         """Yield plans that deal with the first pair; the last three leave nothing out."""

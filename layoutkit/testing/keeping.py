@@ -115,8 +115,11 @@ def _excesses(rule: SizeRule, sample: Sample) -> Iterator[float]:
             yield _beyond(float(found), float(least), float(most), float(np.abs(factors).sum()))
     elif isinstance(rule, Convex):
         quantities = np.array([value(q.form, sample.values[q.axis]) for q in rule.quantities])
-        for excess, slope in zip(*Bend(rule).tangents(quantities), strict=True):
-            yield float(excess) / max(float(np.abs(slope).sum()), 1e-9)
+        bend = Bend(rule)
+        slopes = bend.slopes(quantities)
+        for row, excess in enumerate(bend.excess(quantities)):
+            steepness = 1.0 if slopes is None else max(float(np.abs(slopes[row]).sum()), 1e-9)
+            yield float(excess) / steepness if np.isfinite(excess) else np.inf
     elif isinstance(rule, Aligned):
         yield _out_of_line(rule, sample)
     else:

@@ -82,7 +82,7 @@ def _size_rule(rule: SizeRule) -> str:
         matrix, ends = np.asarray(rule.matrix).tolist(), (list(rule.least), list(rule.most))
         return f"Rows {rule.quantities} {matrix} {ends} {rule.words}"
     if isinstance(rule, Convex):
-        excess = Bend(rule).tangents(np.arange(1.0, len(rule.quantities) + 1.0))[0]
+        excess = Bend(rule).excess(np.arange(1.0, len(rule.quantities) + 1.0))
         return f"Convex {rule.quantities} {excess.tolist()} {rule.words}"
     if isinstance(rule, Target):
         return repr(rule)

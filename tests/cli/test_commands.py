@@ -177,6 +177,7 @@ def test_validate_goes_on_to_the_last_file(house: Path, layoutkit: Any) -> None:
         f"{broken}: 2 errors",
         f"{house.with_name('absent.xml')}: 1 error",
         f"{house}: valid",
+        "3 documents: 1 valid, 2 with errors (3 errors); `--fix` may mend some of it",
     ]
     assert run.err.count("error LK") == 3
     data = layoutkit("validate", broken, house, "--json").data

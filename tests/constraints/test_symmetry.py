@@ -86,7 +86,10 @@ def test_each_region_by_itself() -> None:
 def test_the_word_rule_names_every_partner() -> None:
     assert list(Symmetry.word_rules([PAIRED], facade(PAIRED))) == [
         Mirrored(
-            "R", {a: (b,) for a, b in {"A": "A", "B": "E", "C": "C", "D": "D", "E": "B"}.items()}, (PAIRED,)
+            "R",
+            {a: (b,) for a, b in {"A": "A", "B": "E", "C": "C", "D": "D", "E": "B"}.items()},
+            (PAIRED,),
+            equal=True,
         )
     ]
 

@@ -83,7 +83,8 @@ def test_what_is_required_is_told() -> None:
 
 
 def test_every_field_of_an_attributes_type_is_documented() -> None:
-    assert rows(section("Attributes")).keys() == {field.name for field in fields(AttributeType)}
+    own = section("Attributes").partition("A type of one's own")[2]
+    assert rows(own).keys() == {field.name for field in fields(AttributeType)}
 
 
 def test_every_rule_is_documented_with_its_fields() -> None:
@@ -166,3 +167,11 @@ def test_every_kind_of_plugin_has_a_page() -> None:
     hooks = [name for name in vars(Hooks) if name.startswith("layoutkit_")]
     texts = {page: (HOW_TO / page).read_text(encoding="utf-8") for page in pages}
     assert all(sum(f"def {hook}():" in text for text in texts.values()) == 1 for hook in hooks)
+
+
+def test_every_type_of_attribute_is_listed() -> None:
+    from layoutkit.constraints import attributes
+
+    types = {name for name, value in vars(attributes).items() if isinstance(value, AttributeType)}
+    listed = re.findall(r"^\| `([A-Z]+)` \|", section("Attributes"), re.M)
+    assert sorted(listed) == sorted(types)

@@ -242,7 +242,7 @@ def test_a_layout_knows_its_facade(tmp_path: Path) -> None:
     alone = read(tmp_path / "l.xml", KINDS)
     assert isinstance(alone.model, Layout)
     assert alone.model.facade is None
-    assert [(d.code, d.severity) for d in alone.diagnostics] == [("LK504", Severity.NOTE)]
+    assert [(d.code, d.severity) for d in alone.diagnostics] == [("LK504", Severity.WARNING)]
     (tmp_path / "sub").mkdir()
     save(tmp_path / "sub" / "f.xml", facade_bytes(facade))
     assert read(tmp_path / "l.xml", KINDS).model == layout

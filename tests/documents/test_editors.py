@@ -13,6 +13,7 @@ import pytest
 from lxml import etree
 
 from layoutkit.constraints import BUILT_IN
+from layoutkit.diagnostics import Diagnostic, Place, Severity
 from layoutkit.documents import NAMESPACE, check, schemas
 from layoutkit.hooks.host import Host
 from layoutkit.shipped import shipped
@@ -88,12 +89,31 @@ def test_the_settings_of_the_page_can_be_read() -> None:
     ]
 
 
+def patterns() -> list[dict[str, str | int]]:
+    return [matcher["pattern"] for matcher in json.loads(blocks("json")[2])["tasks"][0]["problemMatcher"]]
+
+
+@pytest.mark.parametrize(
+    "place", [Place("in/a b.xml", 3, 7), Place("C:\\a.xml", 3, 7), Place("in/a b.xml"), None]
+)
+@pytest.mark.parametrize("code", ["LK101", "GOLD12"])
+def test_one_pattern_of_the_task_reads_a_diagnostic(place: Place | None, code: str) -> None:
+    told = str(Diagnostic(code, "size: of 3:4: error x", place, severity=Severity.NOTE))
+    found = [(pattern, match) for pattern in patterns() if (match := re.match(str(pattern["regexp"]), told))]
+    assert len(found) == (place is not None), "what is of no file is no problem of the editor's"
+    for pattern, match in found:
+        assert place
+        assert match[pattern["file"]] == place.file
+        assert (match[pattern["code"]], match[pattern["severity"]]) == (code, "note")
+        assert ("line" in pattern) == (place.line > 0)
+
+
 def test_the_task_reads_what_the_program_writes(tmp_path: Path) -> None:
-    pattern = json.loads(blocks("json")[2])["tasks"][0]["problemMatcher"]["pattern"]
+    pattern = patterns()[0]
     path = tmp_path / "a.xml"
     path.write_text('<facade xmlns="urn:layoutkit:1" name="f" units="m">\n <regoin/></facade>')
     for diagnostic in check(path, KINDS):
-        found = re.match(pattern["regexp"], str(diagnostic).split("\n")[0])
+        found = re.match(str(pattern["regexp"]), str(diagnostic).split("\n")[0])
         assert found
         told = {name: found[group] for name, group in pattern.items() if name != "regexp"}
         assert diagnostic.place

@@ -30,7 +30,7 @@ from dataclasses import dataclass
 from math import inf, nan
 import numpy as np
 from layoutkit.constraints import Constraint
-from layoutkit.constraints.claims import Relates, Sized
+from layoutkit.constraints.claims import EquallyLarge, InLine, Relates, Sized
 from layoutkit.constraints.namespace import Namespace
 from layoutkit.constraints.word_rules import Admits, Bound, Counts
 from layoutkit.diagnostics import Diagnostic
@@ -148,6 +148,23 @@ IN_THE_SEARCH = {
         "def violations(self, view):\n    yield Violation(self, 'R', 'is off', nan)",
         "whose amount is no number",
     ),
+    "a program that is ended": (SIZE + "raise SystemExit(0)", "SystemExit: 0"),
+    "an error that is no Exception": (
+        "def violations(self, view):\n    class Panic(BaseException): pass\n    raise Panic('at once')",
+        "Panic: at once",
+    ),
+    "a line that is along no axis": (
+        "def claims(self, facade):\n    yield InLine(7, ('R/A',), ('R/B',), (0.0,))",
+        "is along no axis: 7",
+    ),
+    "a line of what is not there": (
+        "def claims(self, facade):\n    yield InLine(0, ('R/X',), ('R/B',), (0.0,))",
+        "is not there: 'R/X'",
+    ),
+    "equal sizes of what are no extents": (
+        "def claims(self, facade):\n    yield EquallyLarge(0, ('R/A', 'R/B'))",
+        "is no extent: 'R/A'",
+    ),
     "a check that answers something else": (
         "def violations(self, view):\n    yield 'R'",
         "gives 'R' for a violation",
@@ -238,8 +255,52 @@ def violations(self, view):
     )
     run = layoutkit("vary", facade, "-n", "6", "--json", "-o", tmp_path / "out")
     assert run.code == 5
-    assert (tmp_path / "out" / "variation-01.xml").exists()
-    assert "RuntimeError: tired" in run.err
+    made = [file.name for file in sorted((tmp_path / "out").glob("variation-*.xml"))]
+    assert made
+    assert [Path(v["layout"]).name for v in run.data["variations"]] == made
+    assert (tmp_path / "out" / "sheet.png").exists()
+    assert "facade.xml:9:5: error LK407 plugin: the constraint kind 'odd:rule' of the plugin" in run.err
+    assert "RuntimeError: tired\n  in violations(), " in run.err
+    assert "RuntimeError: tired" in run.data["diagnostics"][-1]["message"]
+
+
+@pytest.mark.parametrize(
+    ("relation", "told"),
+    [
+        ("3", "says that it relates 3, which is no Relates"),
+        ("Relates(frozenset({('R/Q', 0)}))", "says that it relates 'R/Q', which is not there"),
+        ("Relates(words=('R/Q',))", "says that it relates 'R/Q', which is not there"),
+        ("Relates(words=('R/A',))", "says that it hangs on words of R/A, which has none"),
+    ],
+)
+def test_relations_are_looked_over(
+    relation: str, told: str, install: Any, layoutkit: Any, facade: Path
+) -> None:
+    install_rule(install, f"def relations(self, facade):\n    return [{relation}]")
+    run = layoutkit("count", facade, "--width", "110%")
+    assert run.code == 5
+    assert told in run.err
+
+
+def test_words_that_mirror_need_not_be_of_equal_sizes(install: Any, layoutkit: Any, tmp_path: Path) -> None:
+    method = """
+@classmethod
+def word_rules(cls, constraints, facade):
+    from layoutkit.constraints.word_rules import Mirrored
+    yield Mirrored("R", {"A": ("B",), "B": ("A",), "C": ("C",)}, tuple(constraints))
+"""
+    document = FACADE.replace('<frequency of="C" within="R" max="2"/>', "").replace(
+        '<again symbol="A"/>', '<region symbol="C" width="1"/>'
+    )
+    document = document.replace('pattern="(A|B)+"', 'pattern="A B C"').replace("A B C", "A C+ B")
+    document = document.replace(
+        "</constraints>", '<size of="R/A" max="2"/><size of="R/B" min="3" max="5"/></constraints>'
+    )
+    (tmp_path / "facade.xml").write_text(document)
+    install_rule(install, method)
+    for command in ("vary", "explain"):
+        run = layoutkit(command, tmp_path / "facade.xml", "-o", tmp_path / command)
+        assert run.code == 0, run.err
 
 
 STUCK = {

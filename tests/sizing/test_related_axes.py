@@ -7,7 +7,7 @@ from typing import Any
 import cvxpy
 import numpy as np
 import pytest
-from arranged import axis_of, positive, pulls, random_facade, random_words
+from arranged import axis_of, positive, pulls, random_facade, random_words, two_rows
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -206,3 +206,50 @@ def test_what_is_not_convex_is_refused() -> None:
         more = Axis(0, axis.count, [*axis.rules, Convex(quantities, excess, "odd")], axis.nominals)
         with pytest.raises(Misbehaviour):
             size_axis(more, 5.0, drawn((axis, axis))[0], BACKENDS, Budget(50))
+
+
+def alone(excess: Any, least: float = 1.0, most: float = 3.0) -> Sized:
+    """Size two regions in a row of 4, each from 1 to 3, under a convex rule on their widths."""
+    facade = two_rows({"a": 2.0, "b": 2.0}, {"c": 4.0}, ("ab", "c"), 4.0)
+    arrangement = Arrangement(facade, {p: r.word for p, r in facade.regions.items() if r.split})
+    rules: list[SizeRule] = [*pulls(facade, arrangement, 0)]
+    rules += [Range(0, arrangement.extent(f"R/F/{s}", 0), least, most, s) for s in "ab"]
+    rules += [Convex(tuple(arrangement.size(f"R/F/{s}", 0) for s in "ab"), excess, "bent")]
+    axis = axis_of(arrangement, 0, rules)
+    return size_axis(axis, 4.0, drawn((axis, axis))[0], BACKENDS, Budget(50))
+
+
+@pytest.mark.parametrize(
+    "excess",
+    [
+        lambda q: cvxpy.square(q[0] - 2.5),
+        lambda q: cvxpy.norm(q - np.array([2.5, 1.5])),
+        lambda q: cvxpy.norm_inf(q - 2.0) - 0.2,
+        lambda q: cvxpy.inv_pos(q[0] - q[1] - 0.5) - 4.0,
+        lambda q: 0.4 - cvxpy.sqrt(q[0] - q[1]),
+        lambda q: cvxpy.log(0.2) - cvxpy.log(q[0] - 2.1),
+        lambda q: cvxpy.Constant(-1.0),
+        lambda q: cvxpy.maximum(q[0] - 2.6, 1.4 - q[1]),
+    ],
+    ids=["flat", "point", "no gradient", "domain", "root", "logarithm", "constant", "kink"],
+)
+def test_convex_rules_that_can_be_kept_are(excess: Any) -> None:
+    assert alone(excess).values is not None
+
+
+@pytest.mark.parametrize(
+    "excess",
+    [
+        lambda q: cvxpy.maximum(q[0] - 1.9, q[1] - 1.9),
+        lambda q: cvxpy.hstack([q[0] - 1.9, q[1] - 1.9]),
+        lambda q: cvxpy.abs(q[0] - 2.6) + cvxpy.abs(q[1] - 2.6) - 1.0,
+        lambda q: cvxpy.norm(q - np.array([3.0, 3.0])) - 1.0,
+        lambda q: cvxpy.Constant(1.0),
+    ],
+    ids=["kink", "two rows", "absolute", "ball", "constant"],
+)
+def test_convex_rules_that_cannot_be_kept_are_refuted(excess: Any) -> None:
+    sized = alone(excess)
+    assert sized.values is None
+    assert sized.conflict is not None
+    assert "bent" in sized.conflict.origins

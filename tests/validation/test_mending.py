@@ -17,8 +17,8 @@ from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.documents import check
 from layoutkit.documents.mending import MENDED, Mended, mended, proposals
 from layoutkit.documents.mending.repair import apart, applied
-from layoutkit.documents.mending.spelling import meant
 from layoutkit.documents.source import Source
+from layoutkit.documents.spelling import meant
 from layoutkit.samples import list_samples
 from tests.validation.conftest import HOUSE
 
@@ -59,6 +59,9 @@ ROWS = HOUSE[HOUSE.index('<region symbol="Top"') : HOUSE.index("    </region>")]
 SAFE = [
     Case("no namespace", "LK101", 'facade xmlns="urn:layoutkit:1" name', "facade name"),
     Case("empty namespace", "LK101", '<facade xmlns="urn:layoutkit:1"', '<facade xmlns=""'),
+    Case("misspelt namespace", "LK101", '"urn:layoutkit:1"', '"urn:layoutkt:1"'),
+    Case("namespace in capitals", "LK101", '"urn:layoutkit:1"', '"URN:LAYOUTKIT:1"'),
+    Case("namespace with a slash", "LK101", '"urn:layoutkit:1"', '"urn:layoutkit:1/"'),
     Case("attribute misspelt", "LK103", 'width="6"', 'widht="6"'),
     Case("attribute in capitals", "LK103", 'symbol="Top"', 'Symbol="Top"'),
     Case("label instead of labels", "LK103", 'labels="Window"', 'label="Window"'),
@@ -97,6 +100,7 @@ SAFE = [
 
 LEFT = [
     Case("root of another namespace", "LK101", "urn:layoutkit:1", "urn:layoutkit:2"),
+    Case("root of a later version", "LK101", "urn:layoutkit:1", "urn:layoutkit:1.2"),
     Case("element far from any", "LK102", '<size of="Facade/Bay"', '<extent of="Facade/Bay"'),
     Case("element that lacks what it would need", "LK102", '<size of="Facade/Bay" min', "<sise min"),
     Case("attribute between two others", "LK103", 'min="80%"', 'mix="80%"'),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -16,6 +17,7 @@ from layoutkit.documents import check
 from layoutkit.documents.kinds import Kinds
 from layoutkit.documents.mending import proposals
 from layoutkit.reports import FORMATS, Checked, Report
+from layoutkit.reports.text import verdicts
 from tests.validation.conftest import HOUSE, Written
 
 BROKEN = (
@@ -226,7 +228,28 @@ def test_text_shows_the_source_and_ends_with_a_line_for_each_document(report: Re
         "    |   ^\n"
         "  hint: did you mean 'width'?\n"
     ) in text
-    assert text.endswith("house.xml: valid\na b/häuser #1.xml: 3 errors, 1 warning, 1 note\n")
+    assert text.endswith(
+        "house.xml: valid\n"
+        "a b/häuser #1.xml: 3 errors, 1 warning, 1 note\n"
+        "2 documents: 1 valid, 1 with errors (3 errors, 1 warning, 1 note); `--fix` may mend some of it\n"
+    )
+
+
+def test_one_document_needs_no_total(report: Report) -> None:
+    text = FORMATS["text"](replace(report, documents=report.documents[:1]))
+    assert text.endswith("\nhouse.xml: valid\n")
+
+
+def test_what_was_left_unmended_is_not_promised_to_be_mended(report: Report) -> None:
+    assert "`--fix`" not in FORMATS["text"](replace(report, unmended=False))
+
+
+def test_what_several_documents_share_counts_once_in_the_total() -> None:
+    shared = Diagnostic("LK201", "gone", Place("house.xml", 1, 1))
+    cut = Diagnostic("LK105", "and 4,000 more of this kind", Place("a.xml", 9, 1), count=4000)
+    of_two = Report((Checked("a.xml", (shared, cut)), Checked("b.xml", (shared,))))
+    assert verdicts(of_two)[:2] == ["a.xml: 4001 errors", "b.xml: 1 error"]
+    assert verdicts(of_two)[2].startswith("2 documents: 2 with errors (4001 errors)")
 
 
 def test_reports_are_the_same_each_time(report: Report) -> None:

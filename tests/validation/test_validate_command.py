@@ -5,8 +5,10 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,13 +16,15 @@ from typing import Any
 import pytest
 
 from tests.conftest import Install, Run
-from tests.validation.conftest import BROKEN, HOUSE, LAYOUT, Written
+from tests.validation.conftest import BROKEN, HOUSE, LAYOUT, MISSPELT, Written
 
 Layoutkit = Callable[..., Run]
 
 
 def verdicts(run: Run) -> dict[str, str]:
-    return dict(line.split(": ", 1) for line in run.out.splitlines())
+    """Return what is said of each document, without the line on all of them."""
+    lines = [line for line in run.out.splitlines() if not re.match(r"\d+ documents: ", line)]
+    return dict(line.split(": ", 1) for line in lines)
 
 
 # Which files
@@ -64,9 +68,55 @@ def test_documents_of_others_are_left_out_of_folders_with_one_note(
     run = layoutkit("validate", "in")
     assert list(verdicts(run)) == [os.path.join("in", name) for name in ("facad.xml", "house.xml")]
     assert run.err.count("LK712") == 1
-    assert "note LK712 usage: 2 XML files are no documents of layoutkit, and left out: " in run.err
+    assert "note LK712 usage: 2 files hold no document of layoutkit, and are left out: " in run.err
     assert layoutkit("validate", "in/pom.xml").code == 1, "a file that is named is looked at"
     assert layoutkit("validate", "in/pom.xml", "--skip-foreign").code == 0
+
+
+def root(namespace: str, name: str = "facade") -> str:
+    return (
+        f'<{name} xmlns="{namespace}" name="f" units="m"><region symbol="F" width="2" height="1"/></{name}>'
+    )
+
+
+@pytest.mark.parametrize("name", ["facade", "layout", "mass"])
+@pytest.mark.parametrize(
+    "namespace", ["urn:layoutkt:1", "urn:LayoutKit:1", "urn:layoutkit:1/", "urn:layoutkit:2"]
+)
+def test_a_namespace_that_is_nearly_ours_is_at_fault_wherever_it_is_found(
+    namespace: str, name: str, written: Written, layoutkit: Layoutkit
+) -> None:
+    written("in/a.xml", root(namespace, name))
+    for arguments in (("in",), ("in/*.xml",), ("in/a.xml", "--skip-foreign")):
+        run = layoutkit("validate", *arguments)
+        assert run.code == 1
+        assert f"error LK101 schema: <{name}> is of the namespace {namespace!r}" in run.err
+        assert "hint: did you mean 'urn:layoutkit:1'?" in run.err
+
+
+def test_a_namespace_that_is_not_near_is_of_others(written: Written, layoutkit: Layoutkit) -> None:
+    written("in/a.xml", root("urn:layout:facades"))
+    assert "LK712" in layoutkit("validate", "in").err
+    assert "`layoutkit convert` reads other formats" in layoutkit("validate", "in/a.xml").err
+
+
+def test_a_text_without_documents_is_at_fault_only_where_it_is_named(
+    written: Written, layoutkit: Layoutkit
+) -> None:
+    written("in/README.md", "# Designs\n\nNone yet.\n")
+    written("in/house.md", f"A house:\n\n```xml\n{HOUSE}```\n")
+    run = layoutkit("validate", "in/*.md")
+    assert (run.code, verdicts(run)) == (0, {"in/house.md": "valid"})
+    assert "1 file holds no document of layoutkit, and is left out: in/README.md" in run.err
+    run = layoutkit("validate", "in/README.md")
+    assert run.code == 1
+    assert "in/README.md: error LK101 document: the text holds no document" in run.err
+    assert layoutkit("validate", "in/README.md", "--skip-foreign").code == 0
+
+
+def test_a_text_that_cannot_be_read_is_not_left_out(written: Written, layoutkit: Layoutkit) -> None:
+    written("in/notes.md", "Wände", "latin-1")
+    assert "error LK003" in layoutkit("validate", "in/*.md").err
 
 
 def test_a_folder_of_nothing_but_documents_of_others(written: Written, layoutkit: Layoutkit) -> None:
@@ -156,9 +206,9 @@ def test_faults_of_a_facade_are_told_once_however_many_layouts_name_it(
 
 def test_less_is_told_where_less_is_asked_for(written: Written, layoutkit: Layoutkit) -> None:
     written("out.xml", LAYOUT.format("gone.xml"))
-    assert "note LK504" in layoutkit("validate", "out.xml").err
-    run = layoutkit("validate", "out.xml", "--severity", "warning")
-    assert (run.err, verdicts(run)) == ("", {"out.xml": "valid, 1 note"})
+    assert "warning LK504" in layoutkit("validate", "out.xml").err
+    run = layoutkit("validate", "out.xml", "--severity", "error")
+    assert (run.err, verdicts(run)) == ("", {"out.xml": "valid, 1 warning"})
     assert layoutkit("validate", "out.xml", "--severity", "error", "--json").data["diagnostics"] == []
 
 
@@ -192,6 +242,36 @@ def test_json_keeps_its_shape(written: Written, layoutkit: Layoutkit) -> None:
     assert (fault["code"], fault["severity"], fault["related"]) == ("LK212", "error", [])
     assert data["repairs"] == []
     assert data == layoutkit("validate", "a.xml", "b.xml", "--format", "json").data
+
+
+def test_several_documents_end_with_a_line_on_all(written: Written, layoutkit: Layoutkit) -> None:
+    written("in/a.xml")
+    written("in/b.xml", BROKEN)
+    written("in/c.xml", MISSPELT)
+    *_, line = layoutkit("validate", "in").out.splitlines()
+    assert line == "3 documents: 1 valid, 2 with errors (2 errors); `--fix` may mend some of it"
+    *_, line = layoutkit("validate", "in", "--fix").out.splitlines()
+    assert line == "3 documents: 2 valid, 1 with errors, 1 mended (1 error)"
+    assert layoutkit("validate", "in/a.xml").out == "in/a.xml: valid\n"
+
+
+def test_thousands_of_unknown_names_are_told_quickly_and_counted(
+    written: Written, layoutkit: Layoutkit
+) -> None:
+    count = 4000
+    regions = "".join(f'<region symbol="Bay{n}" width="1"/>' for n in range(count))
+    sizes = "".join(f'<size of="F/Window{n}" min="1"/>' for n in range(count))
+    head = f'<region symbol="F" width="{count}" height="3" split="columns">'
+    written(
+        "house.xml",
+        f'<facade xmlns="urn:layoutkit:1" name="f" units="m">{head}{regions}</region>'
+        f"<constraints>{sizes}</constraints></facade>",
+    )
+    begin = time.process_time()
+    run = layoutkit("validate", "house.xml")
+    assert time.process_time() - begin < 6, "half of that on a slow machine"
+    assert verdicts(run) == {"house.xml": "4000 errors"}
+    assert "and 3,000 more of this kind, from here on: size names the region 'F/Window1000'" in run.err
 
 
 # How the run ends
@@ -267,6 +347,16 @@ def test_a_plugin_that_fails_ends_with_5_and_hides_no_other_fault(
     assert [d["code"] for d in run.data["diagnostics"]] == ["LK407", "LK212"]
     assert "acme-plugin" in run.data["diagnostics"][0]["message"]
     assert "RuntimeError: no more" in run.data["diagnostics"][0]["message"]
+
+
+@pytest.mark.usefixtures("audited")
+def test_where_plugins_must_not_fail_the_run_stops_at_once(written: Written, layoutkit: Layoutkit) -> None:
+    written("a.xml", HOUSE.replace('"house"', '"sick"'))
+    written("b.xml", BROKEN)
+    run = layoutkit("--strict", "validate", "a.xml", "b.xml")
+    assert run.code == 5
+    assert "error LK407" in run.err
+    assert (run.out, "LK212" in run.err) == ("", False)
 
 
 @pytest.mark.parametrize(

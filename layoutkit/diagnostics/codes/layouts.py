@@ -30,10 +30,10 @@ CODES = (
     Code(
         "LK504",
         "facade not found",
-        "The facade that a layout names is not there: the layout was read without it.",
-        "A layout moved without its facade.",
+        "The facade that a layout names is not there: nothing that it asks for was checked.",
+        "A layout moved without its facade, or a misspelt name.",
         "Put the facade where the layout names it, or correct its facade attribute.",
-        Severity.NOTE,
+        Severity.WARNING,
     ),
     Code(
         "LK505",

@@ -74,7 +74,7 @@ CODES = (
     Code(
         "LK712",
         "files of other kinds left out",
-        "Folders and patterns hold XML files that are no documents of layoutkit; they are not checked.",
+        "Folders and patterns hold XML files of other kinds, or texts without documents: none is checked.",
         "Annotations, or the settings of other programs, beside documents.",
         "Nothing is needed; a file that is named by itself is checked all the same.",
         Severity.NOTE,

@@ -157,7 +157,7 @@ def _proposed(
 
 def _errors(diagnostics: Sequence[Diagnostic]) -> tuple[int, ...]:
     """Return how many errors there are."""
-    return (sum(d.severity is Severity.ERROR for d in diagnostics),)
+    return (sum(d.count for d in diagnostics if d.severity is Severity.ERROR),)
 
 
 def _by_structure(diagnostics: Sequence[Diagnostic]) -> tuple[int, ...]:

@@ -9,12 +9,17 @@ from layoutkit.documents.kinds import Kinds
 from layoutkit.documents.mending.expected import ROOTS, element_type, possible
 from layoutkit.documents.mending.manuscript import Manuscript, Written
 from layoutkit.documents.mending.repair import Repair
-from layoutkit.documents.mending.spelling import meant
+from layoutkit.documents.spelling import meant, misspelt_namespace
 
 
 def root(element: Written, manuscript: Manuscript, kinds: Kinds) -> Iterator[Repair]:
-    """LK101: a root of no namespace gets ours; a misspelt one its name."""
-    if element.name not in ROOTS:
+    """LK101: a root of no namespace gets ours, and so does one that misspells it; a misspelt one its name."""
+    if misspelt_namespace(element.namespace) and meant(element.name, ROOTS):
+        name = f"xmlns:{element.prefix}" if element.prefix else "xmlns"
+        given = manuscript.attributes(element)[name]
+        edit = manuscript.edit(element, given.value, given.value + len(given.raw), NAMESPACE)
+        yield Repair("LK101", f'{name}="{given.raw}"', f'{name}="{NAMESPACE}"', (edit,))
+    elif element.name not in ROOTS:
         yield from misspelt_element(element, manuscript, kinds)
     elif not element.namespace:
         added = f'xmlns="{NAMESPACE}"'

@@ -11,7 +11,7 @@ from layoutkit.documents.kinds import Kinds
 from layoutkit.documents.mending.expected import element_type
 from layoutkit.documents.mending.manuscript import Attribute, Manuscript, Written
 from layoutkit.documents.mending.repair import Edit, Repair
-from layoutkit.documents.mending.spelling import meant
+from layoutkit.documents.spelling import meant
 from layoutkit.model import Measure
 
 _WITH_UNIT = re.compile(r"(.*[0-9.])\s*([a-z]+)\s*", re.S)

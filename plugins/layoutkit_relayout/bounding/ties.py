@@ -91,7 +91,7 @@ def _same(making: Making, one: Terms, other: Terms) -> None:
 def _mirror(making: Making, path: str) -> None:
     """State that symbols which mirror each other are equally large."""
     group, axis = making.model.group_of[path], making.model.axis(path)
-    for partners in group.partners[path]:
+    for partners in () if path in group.unequal else group.partners[path]:
         for one, others in partners.items():
             if len(others) != 1 or others[0] == one or not {one, others[0]} <= set(group.letters):
                 continue

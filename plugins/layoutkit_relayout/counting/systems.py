@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from layoutkit.constraints import Constraint
-from layoutkit.constraints.claims import Frame, counted
+from layoutkit.constraints.claims import Frame, counted, relations_of
 from layoutkit.diagnostics.blame import Misbehaviour
 from layoutkit.sizing.answers import size_rules_of
 from layoutkit.sizing.rules import Convex, Range, Rows, SizeRule
@@ -135,7 +135,7 @@ class Systems:
     def _asked(self, constraint: Constraint, arrangement: Framed) -> Iterator[SizeRule]:
         """Yield what a constraint asks of sizes, as long as that can be gone by."""
         for rule in size_rules_of(constraint, arrangement):
-            if isinstance(rule, Rows | Convex) and constraint.relations(self.model.facade) is not None:
+            if isinstance(rule, Rows | Convex) and relations_of(constraint, self.model.facade) is not None:
                 what = "says what its rules relate, and has one that counts cannot go by: leave that unsaid"
                 raise Misbehaviour(constraint, what)
             yield rule

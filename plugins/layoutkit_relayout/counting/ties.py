@@ -16,7 +16,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from layoutkit.constraints import Constraint
-from layoutkit.constraints.claims import Even, Frame, counted
+from layoutkit.constraints.claims import Even, Frame, counted, relations_of
 from layoutkit.constraints.word_rules import Counts
 from layoutkit_relayout.model import Model
 from layoutkit_relayout.words.groups import WordGroup
@@ -121,7 +121,7 @@ def _counting(path: str, counted: frozenset[str], model: Model) -> frozenset[Wor
 
 def _spoken(constraint: Constraint, model: Model) -> Iterator[Tie]:
     """Yield the ties that a constraint's demands on sizes amount to."""
-    relations = constraint.relations(model.facade)
+    relations = relations_of(constraint, model.facade)
     if relations is None:
         yield _everything(model, constraint)
         return

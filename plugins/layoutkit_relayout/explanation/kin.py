@@ -55,6 +55,7 @@ def _key(group: WordGroup) -> Hashable:
         tuple((member, *own.items()) for member, own in group.symbols.items()),
         tuple(tuple(map(_told, group.rules[member])) for member in group.members),
         tuple(tuple(tuple(m.items()) for m in group.partners[member]) for member in group.members),
+        group.unequal,
     )
 
 

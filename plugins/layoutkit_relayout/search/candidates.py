@@ -265,7 +265,8 @@ class Candidates:
         fineness: int,
     ) -> CompletionTable:
         machine = self._machine(group, question)
-        sums = [_as_wide([ranges[letter] for letter in parts]) for parts in machine.parts]
+        together = _one_by_one if group.unequal else _as_wide
+        sums = [together([ranges[letter] for letter in parts]) for parts in machine.parts]
         least, most = np.array(sums).reshape(-1, 2).T
         letters = Letters(least, most, self.model.weights(group, machine))
         return CompletionTable(machine, letters, self._reach(names), fineness)
@@ -328,6 +329,13 @@ def _counted(group: WordGroup, word: Word, count: Count) -> bool:
     inside = dict(zip(group.letters, count.inside, strict=True))
     low, high = (sum(inside[letter][end] for letter in word) for end in (0, 1))
     return low <= count.most + 1e-9 and high >= count.least - 1e-9
+
+
+def _one_by_one(parts: Sequence[Interval]) -> Interval:
+    """Return the sizes that parts have together; none if one of them can have none."""
+    if any(low > high for low, high in parts):
+        return NOTHING
+    return sum(low for low, _ in parts), sum(high for _, high in parts)
 
 
 def _as_wide(parts: Sequence[Interval]) -> Interval:

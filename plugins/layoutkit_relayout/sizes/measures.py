@@ -13,7 +13,6 @@ from layoutkit.sizing.arrangement import Arrangement, value
 from layoutkit.sizing.joint import drawn_together, joined, parted, scale_of
 from layoutkit.sizing.layouts import region_tree
 from layoutkit.sizing.qp import Backend, Floats
-from layoutkit.sizing.rules import SizeRule
 from layoutkit.sizing.solve import Axis, Budget, Conflict, Drawn, Sized, size_axis
 from layoutkit_relayout.kept import Kept
 from layoutkit_relayout.model import Model
@@ -40,9 +39,9 @@ class Measured:
 
 @dataclass(frozen=True, eq=False)
 class _Sizing:
-    """What one variation is sized by: the rules across both axes, the size, the draw, what may be spent."""
+    """What one variation is sized by: its arrangement, the size, the draw, what may be spent."""
 
-    across: tuple[SizeRule, ...]
+    prepared: Prepared
     size: tuple[float, float]
     drawn: tuple[Drawn, Drawn]
     backends: Sequence[Backend]
@@ -50,7 +49,7 @@ class _Sizing:
 
     def both(self, axes: Axes) -> Both:
         """Size both axes: each by itself, or, where a rule relates them, as one."""
-        if self.across:
+        if self.prepared.across:
             return self._joint(axes, Budget(self.problems))
         values = []
         for axis in axes:
@@ -64,7 +63,7 @@ class _Sizing:
         """Return how both axes are sized again when one of them has changed, within a budget."""
 
         def sizing(axes: Axes, values: Values, changed: int) -> Both:
-            if self.across:
+            if self.prepared.across:
                 return self._joint(axes, budget)
             sized = self._alone(axes[changed], budget)
             if sized.values is None:
@@ -76,14 +75,16 @@ class _Sizing:
     def ahead(self, axes: Axes, axis: int) -> Conflict | None:
         """Return why an axis cannot be sized, together with the other where a rule relates them."""
         budget = Budget(self.problems)
-        sized = self._joint(axes, budget) if self.across else self._alone(axes[axis], budget)
+        sized = self._joint(axes, budget) if self.prepared.across else self._alone(axes[axis], budget)
         return sized.conflict
 
     def _alone(self, axis: Axis, budget: Budget) -> Sized:
         return size_axis(axis, self.size[axis.number], self.drawn[axis.number], self.backends, budget)
 
     def _joint(self, axes: Axes, budget: Budget) -> Both:
-        whole = joined(axes, self.across, self.size)
+        prepared = self.prepared
+        first = axes is prepared.axes
+        whole = prepared.joined(self.size) if first else joined(axes, prepared.across, self.size)
         drawn = drawn_together(self.drawn)
         sized = size_axis(whole, scale_of(self.size), drawn, self.backends, budget)
         return Both(parted(sized, axes), sized.conflict, sized.suspect)
@@ -110,7 +111,7 @@ class Measures:
         """
         prepared = self._prepare(words, size)
         one, other = (distributions.draw(generator) for distributions in prepared.distributions)
-        sizing = _Sizing(prepared.across, size, (one, other), self.backends, problems)
+        sizing = _Sizing(prepared, size, (one, other), self.backends, problems)
         sized = sizing.both(prepared.axes)
         if sized.values is None:
             return Measured(None, sized.conflict, sized.suspect)
@@ -165,7 +166,7 @@ class Measures:
         """Return why an axis of a partial choice of words cannot be sized; None if it can, or perhaps can."""
         prepared = self._prepare(self.model.completed(self.model.with_forced(words)), size)
         one, other = (distributions.likeliest() for distributions in prepared.distributions)
-        sizing = _Sizing(prepared.across, size, (one, other), self.backends, problems)
+        sizing = _Sizing(prepared, size, (one, other), self.backends, problems)
         # What the budget left open is decided when all words are there.
         return sizing.ahead(prepared.axes, axis)
 

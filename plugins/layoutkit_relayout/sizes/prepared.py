@@ -9,6 +9,7 @@ import numpy as np
 
 from layoutkit.sizing.answers import size_rules_of
 from layoutkit.sizing.arrangement import Arrangement
+from layoutkit.sizing.joint import joined
 from layoutkit.sizing.rules import BOTH, Range, SizeRule
 from layoutkit.sizing.solve import Axis
 from layoutkit_relayout.model import Floats, Model
@@ -27,6 +28,7 @@ class Prepared:
 
     def __init__(self, model: Model, arrangement: Arrangement, size: tuple[float, float]) -> None:
         self.model, self.arrangement, self.size = model, arrangement, size
+        self._joined: tuple[tuple[float, float], Axis] | None = None
 
     @cached_property
     def axes(self) -> tuple[Axis, Axis]:
@@ -42,6 +44,12 @@ class Prepared:
     def across(self) -> tuple[SizeRule, ...]:
         """The rules that relate x to y."""
         return tuple(rule for rule in self._rules if rule.axis == BOTH)
+
+    def joined(self, size: tuple[float, float]) -> Axis:
+        """Return both axes as one, for layouts of a size; kept until another size is asked for."""
+        if self._joined is None or self._joined[0] != size:
+            self._joined = size, joined(self.axes, self.across, size)
+        return self._joined[1]
 
     @cached_property
     def _rules(self) -> list[SizeRule]:

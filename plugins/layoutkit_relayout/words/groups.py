@@ -30,6 +30,8 @@ class WordGroup:
         For each member, the rules on its word: they count where the layout reaches that member.
     partners
         For each member whose word reads the same backwards, the partners of each letter.
+    unequal
+        Those of them in which what mirrors each other need not be equally large.
     """
 
     members: tuple[str, ...]
@@ -37,6 +39,7 @@ class WordGroup:
     letters: tuple[str, ...]
     rules: Mapping[str, Sequence[Automaton]]
     partners: Mapping[str, Sequence[Mapping[str, tuple[str, ...]]]]
+    unequal: frozenset[str] = frozenset()
 
     @cached_property
     def _machines(self) -> dict[object, Machine]:
@@ -112,12 +115,12 @@ class WordGroup:
 def word_groups(facade: Facade, rules: Sequence[WordRule]) -> list[WordGroup]:
     """Return the groups of all composite regions, in document order."""
     admitted: defaultdict[str, list[Automaton]] = defaultdict(list)
-    mirrors: defaultdict[str, list[Mapping[str, tuple[str, ...]]]] = defaultdict(list)
+    mirrors: defaultdict[str, list[Mirrored]] = defaultdict(list)
     for rule in rules:
         if isinstance(rule, Admits):
             admitted[rule.path].append(rule.automaton)
         elif isinstance(rule, Mirrored):
-            mirrors[rule.path].append(rule.partners)
+            mirrors[rule.path].append(rule)
     composites = [path for path, region in facade.regions.items() if region.split is not None]
     leader = {path: path for path in composites}
     letters = {path: {c.symbol: c.symbol for c in facade.regions[path].children} for path in composites}
@@ -155,7 +158,7 @@ def _group(
     members: tuple[str, ...],
     letters: Mapping[str, Mapping[str, str]],
     admitted: Mapping[str, Sequence[Automaton]],
-    mirrors: Mapping[str, Sequence[Mapping[str, tuple[str, ...]]]],
+    mirrors: Mapping[str, Sequence[Mirrored]],
 ) -> WordGroup:
     symbols = {member: letters[member] for member in members}
     shared = tuple(letter for letter in symbols[members[0]] if all(letter in symbols[m] for m in members))
@@ -163,8 +166,13 @@ def _group(
     for member in members:
         own = {symbol: letter for letter, symbol in symbols[member].items()}
         partners[member] = [
-            {own[a]: tuple(own[b] for b in others if b in own) for a, others in mirror.items() if a in own}
-            for mirror in mirrors.get(member, ())
+            {
+                own[a]: tuple(own[b] for b in others if b in own)
+                for a, others in rule.partners.items()
+                if a in own
+            }
+            for rule in mirrors.get(member, ())
         ]
     rules = {member: admitted.get(member) or [Anything()] for member in members}
-    return WordGroup(members, symbols, shared, rules, partners)
+    unequal = frozenset(m for m in members if not all(rule.equal for rule in mirrors.get(m, ())))
+    return WordGroup(members, symbols, shared, rules, partners, unequal)

@@ -192,7 +192,7 @@ def _rewritten(rule: WordRule, aliases: Aliases) -> Iterator[WordRule]:
                 for symbol, partners in rule.partners.items()
                 for one in names.get(symbol, (symbol,))
             }
-            yield Mirrored(path, own, rule.origin)
+            yield replace(rule, path=path, partners=own)
 
 
 def _names_in(path: str, aliases: Aliases) -> dict[str, tuple[str, ...]]:
