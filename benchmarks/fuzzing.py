@@ -116,7 +116,7 @@ def trial(seed: int, index: int, host: Host, semantics: bool = False, most: int 
         found = list(everything(source, _session()) if semantics else check(source, host.constraints))
     except TooLong:
         failure = f"took more than {SECONDS:g} s"
-    except Exception:
+    except Exception:  # whatever is raised is the failure that is looked for
         failure = traceback.format_exc()
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)

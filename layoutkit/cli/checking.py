@@ -56,7 +56,7 @@ def _audited(facade: Facade, file: str, session: Session) -> Iterable[Diagnostic
         return [d for outcome in session.run(AUDIT, facade) for d in outcome.diagnostics]
     except Faulty as faulty:
         return faulty.diagnostics
-    except (Exception, blame.Stuck) as error:  # what was found before it is not to be lost
+    except blame.ANYTHING as error:  # what was found before it is not to be lost
         return [blame.unforeseen(error, Place(file))]
 
 
@@ -88,7 +88,7 @@ def checked(source: Source, session: Session, look: Look) -> Checked:
         found = look(source, session)
     except Faulty as faulty:
         found = faulty.diagnostics
-    except (Exception, blame.Stuck) as error:  # the other documents are to be checked all the same
+    except blame.ANYTHING as error:  # the other documents are to be checked all the same
         found = (blame.unforeseen(error, Place(source.file)),)
     halt(found, session)
     return Checked(source.file, ranked(found), found=found)
@@ -128,7 +128,7 @@ def mend(source: Source, session: Session) -> Mended | None:
         )
     except Faulty:
         raise
-    except (Exception, blame.Stuck) as error:
+    except blame.ANYTHING as error:
         raise Faulty([blame.unforeseen(error, Place(source.file))]) from error
     return result if result.repairs else None
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import codecs
 import os
 import re
 from collections.abc import Callable
@@ -12,14 +11,6 @@ from xml.parsers import expat
 
 _ATTRIBUTE = re.compile(r"""\s+(?P<name>[^\s=/>]+)\s*=\s*(?P<value>"[^"]*"|'[^']*')""")
 _TAG_NAME = re.compile(r"<[^\s/>]+")
-#: How documents begin whose encoding shows before they can say it.
-_BEGINNINGS = {
-    codecs.BOM_UTF8: "utf-8",
-    codecs.BOM_UTF16_LE: "utf-16-le",
-    codecs.BOM_UTF16_BE: "utf-16-be",
-    b"<\0": "utf-16-le",
-    b"\0<": "utf-16-be",
-}
 
 
 class _Spot(NamedTuple):
@@ -61,24 +52,21 @@ def _renamed(source: bytes, rename: Callable[[str], str]) -> bytes:
 
 def _spot(source: bytes) -> _Spot | None:
     """Find the name of the picture; None where the document has none."""
-    parser = expat.ParserCreate(namespace_separator=" ")
-    encoding = next((name for start, name in _BEGINNINGS.items() if source.startswith(start)), "")
-    found: list[tuple[int, str]] = []
+    from layoutkit.documents.codec import codec_of
 
-    def declared(version: str, name: str | None, standalone: int) -> None:
-        nonlocal encoding
-        encoding = encoding or name or ""
+    parser = expat.ParserCreate(namespace_separator=" ")
+    found: list[tuple[int, str]] = []
 
     def started(name: str, attributes: dict[str, str]) -> None:
         if name.rpartition(" ")[2] == "picture" and "file" in attributes and not found:
             found.append((parser.CurrentByteIndex, attributes["file"]))
 
-    parser.XmlDeclHandler, parser.StartElementHandler = declared, started
+    parser.StartElementHandler = started
     parser.Parse(source, True)
     if not found:
         return None
-    offset, file = found[0]
-    return _Spot(*_value(source, offset, encoding or "utf-8"), encoding or "utf-8", file)
+    (offset, file), encoding = found[0], codec_of(source)
+    return _Spot(*_value(source, offset, encoding), encoding, file)
 
 
 def _value(source: bytes, offset: int, encoding: str) -> tuple[int, int]:

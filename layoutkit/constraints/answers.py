@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import islice
 from math import isnan
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from layoutkit.constraints.word_rules import (
     Admits,
@@ -21,47 +20,13 @@ from layoutkit.constraints.word_rules import (
     Variants,
     WordRule,
 )
-from layoutkit.diagnostics import Diagnostic
-from layoutkit.diagnostics.blame import Misbehaviour
-from layoutkit.diagnostics.origin import PROJECT
+from layoutkit.diagnostics import Diagnostic, Place
+from layoutkit.diagnostics.blame import Misbehaviour, bounded, diagnosed
 from layoutkit.model import Facade, Violation
 
 if TYPE_CHECKING:
     from layoutkit.constraints.constraint import Constraint
     from layoutkit.constraints.view import LayoutView
-
-T = TypeVar("T")
-
-#: No plugin's constraint gives more answers than this to one question.
-MOST = 1_000_000
-
-
-def bounded(answers: Iterable[T], constraint: Constraint, what: str) -> Iterable[T]:
-    """Return answers that come to an end; those of layoutkit's own kinds as they are.
-
-    Parameters
-    ----------
-    answers
-        As `constraint` gives them, maybe one by one.
-    constraint
-        Whose they are.
-    what
-        What they are, in the plural: ``violations``.
-
-    Raises
-    ------
-    Misbehaviour
-        Once there are more than `MOST`.
-    """
-    own = type(constraint).__module__.partition(".")[0] == PROJECT
-    return answers if own else _bounded(answers, constraint, what)
-
-
-def _bounded(answers: Iterable[T], constraint: Constraint, what: str) -> Iterator[T]:
-    given = iter(answers)
-    yield from islice(given, MOST)
-    for _ in given:
-        raise Misbehaviour(constraint, f"gives more than {MOST:,} {what}")
 
 
 def word_rules_of(facade: Facade, constraints: Sequence[Constraint]) -> list[WordRule]:
@@ -130,6 +95,11 @@ def violations_of(constraint: Constraint, view: LayoutView) -> Iterator[Violatio
                 constraint, f"gives a violation whose amount is no number: {violation.message}"
             )
         yield violation
+
+
+def failure(kind: type[Constraint], error: BaseException, place: Place | None) -> Diagnostic:
+    """Return the diagnostic of a constraint kind that failed: whose it is, and where its element stands."""
+    return diagnosed(error, kind, f"the constraint kind {kind.qualified_name()!r}", place)
 
 
 def _wrong(rule: object, facade: Facade) -> str:

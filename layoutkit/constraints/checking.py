@@ -6,12 +6,12 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from layoutkit.constraints.answers import violations_of
+from layoutkit.constraints.answers import failure, violations_of
 from layoutkit.constraints.defaults import effective_constraints
 from layoutkit.constraints.instances import varied
 from layoutkit.constraints.view import LayoutView, alike
 from layoutkit.diagnostics import Diagnostic
-from layoutkit.diagnostics.blame import ANYTHING, diagnosed
+from layoutkit.diagnostics.blame import ANYTHING
 from layoutkit.model import Box, Facade, Layout, PlacedRegion, Region, Violation, place
 from layoutkit.model.region import TILING_TOLERANCE, place_children
 
@@ -54,8 +54,7 @@ def checked(layout: Layout, facade: Facade) -> Checked:
         try:
             found = tuple(violations_of(constraint, view))
         except ANYTHING as error:  # whatever a plugin raises is laid at its door
-            what = f"the constraint kind {constraint.qualified_name()!r}"
-            failed.append(diagnosed(error, type(constraint), what, constraint.place))
+            failed.append(failure(type(constraint), error, constraint.place))
         else:
             (unkept if constraint.soft else broken).extend(found)
     return Checked(tuple(broken), tuple(unkept), tuple(failed))

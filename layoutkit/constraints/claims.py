@@ -12,8 +12,7 @@ from dataclasses import dataclass
 from math import inf, isnan
 from typing import TYPE_CHECKING
 
-from layoutkit.constraints.answers import bounded
-from layoutkit.diagnostics.blame import Misbehaviour
+from layoutkit.diagnostics.blame import Misbehaviour, bounded
 from layoutkit.model import Extent, Facade
 
 if TYPE_CHECKING:

@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from layoutkit.constraints.answers import faults_of
+from layoutkit.constraints.answers import failure, faults_of
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.constraints.expansion import expanded
 from layoutkit.constraints.renaming import confined, joins, lifted, spread
 from layoutkit.diagnostics import Diagnostic, Severity
-from layoutkit.diagnostics.blame import ANYTHING, diagnosed
+from layoutkit.diagnostics.blame import ANYTHING
 from layoutkit.model import Building, Facade, Mass, Region
 
 
@@ -61,7 +61,7 @@ def dressing_faults(facade: Facade, mass: Mass) -> Iterator[Diagnostic]:
         try:
             carried[number] = tuple(_carried(constraint, facade, mass))
         except ANYTHING as error:  # whatever a plugin raises is laid at its door
-            yield _failed(constraint, error)
+            yield failure(type(constraint), error, constraint.place)
     bare = dressed(replace(facade, constraints=()), mass)
     whole = replace(bare, constraints=tuple(copy for copies in carried.values() for copy in copies))
     for number, copies in carried.items():
@@ -100,7 +100,7 @@ def _lost(constraint: Constraint, copies: Iterable[Constraint], whole: Facade) -
     try:
         found = [fault for copy in copies for fault in faults_of(copy, whole)]
     except ANYTHING as error:  # whatever a plugin raises is laid at its door
-        yield _failed(constraint, error)
+        yield failure(type(constraint), error, constraint.place)
         return
     if faults := [fault.message for fault in found if fault.severity is Severity.ERROR]:
         yield Diagnostic(
@@ -110,8 +110,3 @@ def _lost(constraint: Constraint, copies: Iterable[Constraint], whole: Facade) -
             "regions are renamed in attributes of the types that layoutkit declares, in those of no others",
             topic="mass",
         )
-
-
-def _failed(constraint: Constraint, error: BaseException) -> Diagnostic:
-    what = f"the constraint kind {constraint.qualified_name()!r}"
-    return diagnosed(error, type(constraint), what, constraint.place)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import os
 import traceback
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 from types import FrameType
-from typing import Any
+from typing import Any, TypeVar
 
 from layoutkit.diagnostics.diagnostic import Diagnostic, Place
-from layoutkit.diagnostics.origin import origin_of, origins
+from layoutkit.diagnostics.origin import PROJECT, origin_of, origins
+
+T = TypeVar("T")
 
 #: The environment variable that makes the traceback of an unexpected error appear.
 DEBUG = "LAYOUTKIT_DEBUG"
@@ -32,6 +35,48 @@ class Misbehaviour(Exception):  # noqa: N818 - it is a fault of what it names, a
         self.module, self.what = kind.__module__, what
         self.place: Place | None = getattr(culprit, "place", None)
         super().__init__(f"{kind.__qualname__} {what}")
+
+
+#: Nobody who is not layoutkit's own gives more answers than this to one question.
+MOST = 1_000_000
+
+
+def bounded(answers: Iterable[T], culprit: object, what: str) -> Iterable[T]:
+    """Return answers that come to an end; those of layoutkit's own classes as they are.
+
+    Parameters
+    ----------
+    answers
+        As `culprit` gives them, maybe one by one.
+    culprit
+        Whose they are.
+    what
+        What they are, in the plural: ``violations``.
+
+    Raises
+    ------
+    Misbehaviour
+        Once there are more than `MOST`.
+    """
+    return answers if is_ours(type(culprit)) else _bounded(answers, culprit, what)
+
+
+def _bounded(answers: Iterable[T], culprit: object, what: str) -> Iterator[T]:
+    given = iter(answers)
+    yield from islice(given, MOST)
+    for _ in given:
+        raise Misbehaviour(culprit, f"gives more than {MOST:,} {what}")
+
+
+#: Which classes are layoutkit's own, as far as that has been asked.
+_OURS: dict[type, bool] = {}
+
+
+def is_ours(kind: type) -> bool:
+    """Tell whether a class is of the core: our tests look over what those answer, so that no run has to."""
+    if kind not in _OURS:
+        _OURS[kind] = kind.__module__.partition(".")[0] == PROJECT
+    return _OURS[kind]
 
 
 class Stuck(BaseException):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from xml.parsers import expat
 
 from layoutkit.constraints import Constraint
+from layoutkit.documents.codec import codec_of
 from layoutkit.documents.tree import parse
 from layoutkit.documents.writing import INDENT, constraint_lines
 
@@ -34,8 +35,8 @@ def with_constraints(source: bytes, constraints: Sequence[Constraint]) -> bytes:
     if not constraints:
         return source
     parse(source, "")  # raises what is wrong with the source
-    scan = _Scan(source)
-    host = _opened(source, scan.constraints or scan.root, scan.codec)
+    scan, codec = _Scan(source), codec_of(source)
+    host = _opened(source, scan.constraints or scan.root, codec)
     indent = _last_line(host.before)
     step = _indent_of_first(host.inside) or indent + INDENT
     lines = list(constraint_lines(constraints, host.prefix))
@@ -43,16 +44,16 @@ def with_constraints(source: bytes, constraints: Sequence[Constraint]) -> bytes:
         unit = step.removeprefix(indent) or INDENT
         name = f"{host.prefix}constraints"
         lines = [f"<{name}>", *(unit + line for line in lines), f"</{name}>"]
-    line_end = next((end for end in ("\r\n", "\n", "\r") if end in source.decode(scan.codec)), "\n")
+    line_end = next((end for end in ("\r\n", "\n", "\r") if end in source.decode(codec)), "\n")
     kept = host.inside.rstrip(_BLANK)
     # A comment at the end is the user's, and not the reason for what follows it: a blank line parts them.
     added = line_end if kept.endswith("-->") else ""
     added += "".join(f"{line_end}{step}{line}" for line in lines)
     if kept == host.inside:
         added += line_end + indent  # the end tag stood on the same line
-    at = len(host.opening) + len(kept.encode(scan.codec))
-    body = host.opening + host.inside.encode(scan.codec) + host.closing
-    return body[:at] + added.encode(scan.codec, "xmlcharrefreplace") + body[at:]
+    at = len(host.opening) + len(kept.encode(codec))
+    body = host.opening + host.inside.encode(codec) + host.closing
+    return body[:at] + added.encode(codec, "xmlcharrefreplace") + body[at:]
 
 
 @dataclass(frozen=True)
@@ -97,33 +98,19 @@ class _Host:
 
 
 class _Scan:
-    """Finds the root and its constraints in a well-formed document, and its encoding.
-
-    Attributes
-    ----------
-    codec
-        Python's name of the encoding; a byte order mark is a character to it.
-    """
+    """Finds the root and its constraints in a well-formed document."""
 
     def __init__(self, source: bytes) -> None:
         self.source = source
-        self.codec = "utf-16-be" if source.startswith((b"\xfe\xff", b"\0<")) else "utf-8"
-        if source.startswith((b"\xff\xfe", b"<\0")):
-            self.codec = "utf-16-le"
         self.constraints: _Span | None = None
         self._open: list[int] = []
         self._bare = False
         self._parser = parser = expat.ParserCreate(namespace_separator=" ")
         parser.namespace_prefixes = True
-        parser.XmlDeclHandler = self._declaration
         parser.StartElementHandler, parser.EndElementHandler = self._start, self._end
         parser.CharacterDataHandler = parser.CommentHandler = self._content
         parser.ProcessingInstructionHandler = self._content
         parser.Parse(source, True)
-
-    def _declaration(self, version: str, encoding: str | None, standalone: int) -> None:
-        if encoding is not None and self.codec == "utf-8":
-            self.codec = encoding
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         self._open.append(self._parser.CurrentByteIndex)

@@ -9,11 +9,11 @@ from math import isfinite
 from typing import Any
 
 from layoutkit.constraints import Constraint
-from layoutkit.constraints.answers import faults_of
+from layoutkit.constraints.answers import failure, faults_of
 from layoutkit.constraints.attributes import Attribute, AttributeType
 from layoutkit.constraints.namespace import CORE
-from layoutkit.diagnostics import Diagnostic, did_you_mean
-from layoutkit.diagnostics.blame import ANYTHING, diagnosed
+from layoutkit.diagnostics import did_you_mean
+from layoutkit.diagnostics.blame import ANYTHING
 from layoutkit.documents.grammar import CONSTRAINTS, ElementType, element_type
 from layoutkit.documents.reading import Reading
 from layoutkit.documents.spelling import meant
@@ -53,7 +53,7 @@ def check_constraints(
             reading.diagnostics += faults_of(constraint, facade)
         except ANYTHING as error:  # whatever a plugin raises is laid at its door
             if all(isfinite(r.width) and isfinite(r.height) for r in facade.regions.values()):
-                reading.diagnostics.append(_failed(element, type(constraint), error))
+                reading.diagnostics.append(failure(type(constraint), error, element.place))
             # Else it stumbles over a size that could not be read, which is reported already.
 
 
@@ -76,12 +76,8 @@ def _constraint(
     except ValueError as error:
         reading.fault("LK105", f"<{element.name}>: {error}", element, kind.summary)
     except ANYTHING as error:  # whatever a plugin raises is laid at its door
-        reading.diagnostics.append(_failed(element, kind, error))
+        reading.diagnostics.append(failure(kind, error, element.place))
     return None
-
-
-def _failed(element: Element, kind: type[Constraint], error: BaseException) -> Diagnostic:
-    return diagnosed(error, kind, f"the constraint kind {kind.qualified_name()!r}", element.place)
 
 
 def _unknown(element: Element, parent: Element, kinds: Kinds, reading: Reading) -> None:

@@ -77,7 +77,7 @@ class Loaded:
             return
         try:
             self.manager.register(plugin, point.name)
-        except Exception as error:  # pluggy's own checks, and whatever a plugin's attributes raise
+        except ANYTHING as error:  # pluggy's own checks, and whatever a plugin's attributes raise
             self.manager.unregister(plugin, point.name)
             self._report("LK402", origin, f"does not fit the hooks: {described(error)}")
             return

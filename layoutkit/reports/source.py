@@ -4,26 +4,18 @@ from __future__ import annotations
 
 import codecs
 import io
-import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import BinaryIO
 
 from layoutkit.diagnostics import Place
+from layoutkit.documents.codec import codec_of
 
 #: Characters that are shown of a long line, and how many of them at least before and behind the place.
 SHOWN, BEFORE, BEHIND = 100, 40, 30
 
 _CHUNK = 1 << 16
-_DECLARED = re.compile(rb"""^(?:\xef\xbb\xbf)?<\?xml\s[^>]*?encoding\s*=\s*["']([A-Za-z0-9._\-]+)["']""")
-_MARKS = (
-    (codecs.BOM_UTF8, "utf-8-sig"),
-    (codecs.BOM_UTF16_LE, "utf-16"),
-    (codecs.BOM_UTF16_BE, "utf-16"),
-    (b"<\0", "utf-16-le"),
-    (b"\0<", "utf-16-be"),
-)
 
 Open = Callable[[], BinaryIO]
 
@@ -114,6 +106,8 @@ def _decoded(stream: BinaryIO) -> Iterator[str]:
     """Yield the text in pieces, every line end as LF."""
     data = stream.read(_CHUNK)
     decoder = io.IncrementalNewlineDecoder(_decoder(data), translate=True)
+    yield decoder.decode(data).removeprefix("\ufeff")  # a byte order mark is of no column
+    data = stream.read(_CHUNK)
     while data:
         yield decoder.decode(data)
         data = stream.read(_CHUNK)
@@ -121,10 +115,7 @@ def _decoded(stream: BinaryIO) -> Iterator[str]:
 
 
 def _decoder(head: bytes) -> codecs.IncrementalDecoder:
-    name = next((codec for mark, codec in _MARKS if head.startswith(mark)), "")
-    declared = _DECLARED.match(head)
-    if not name:
-        name = declared[1].decode("ascii") if declared else "utf-8"
+    name = codec_of(head)
     try:
         "".encode(name)  # some codecs are not of text
     except LookupError:

@@ -112,7 +112,7 @@ def _guarded(promise: str, asked: Iterable[Callable[[], Iterable[Finding]]]) -> 
             yield from ask()
         except Misbehaviour as error:
             yield Finding(promise, str(error))
-        except Exception as error:
+        except Exception as error:  # whatever is raised is the finding
             yield Finding(promise, f"raises {raised(error)}")
 
 

@@ -47,7 +47,7 @@ def _odd(attribute: Attribute, text: str) -> Iterator[Finding]:
             shown = f"the attribute {attribute.name} refuses {text[:20]!r} and does not say why"
             yield Finding("declaration", shown)
         return
-    except Exception as error:
+    except Exception as error:  # whatever is raised is the finding
         shown = f"the attribute {attribute.name} raises, at {text[:20]!r}, no ValueError: {raised(error)}"
         yield Finding("declaration", shown)
         return
@@ -58,7 +58,7 @@ def _read_back(attribute: Attribute, value: object, what: str) -> Iterator[Findi
     try:
         text = attribute.type.text(value)
         same = attribute.type.parse(text) == value
-    except Exception as error:
+    except Exception as error:  # whatever is raised is the finding
         shown = f"the attribute {attribute.name} cannot read back what it writes of {what}: {raised(error)}"
         yield Finding("declaration", shown)
         return
@@ -97,7 +97,7 @@ def _kept(constraint: Constraint, subject: str) -> Iterator[Finding]:
         yield Finding("declaration", f"it cannot be hashed: {error}; use tuples for lists", subject)
     try:
         copy = pickle.loads(pickle.dumps(constraint))
-    except Exception as error:
+    except Exception as error:  # whatever is raised is the finding
         yield Finding("declaration", f"it cannot be pickled: {raised(error)}", subject)
         return
     if copy != constraint:

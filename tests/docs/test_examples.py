@@ -53,6 +53,25 @@ def expected_pattern(lines: list[str]) -> str:
     return "".join(parts)
 
 
+def run_examples(block: str, folder: Path, environment: dict[str, str]) -> int:
+    """Run the commands of a block, compare what they print, and return how many there are."""
+    examples = re.split(r"^\$ ", block, flags=re.M)[1:]
+    for example in examples:
+        command, *shown = example.rstrip("\n").split("\n")
+        done = subprocess.run(
+            command,
+            shell=True,
+            cwd=folder,
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            encoding="utf-8",
+        )
+        assert re.fullmatch(expected_pattern(shown), done.stdout), (command, done.stdout)
+    return len(examples)
+
+
 @pytest.mark.skipif(os.name == "nt", reason="the examples are for a POSIX shell")
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_the_examples_of_a_page(page: Path, tmp_path: Path, environment: dict[str, str]) -> None:
@@ -67,20 +86,7 @@ def test_the_examples_of_a_page(page: Path, tmp_path: Path, environment: dict[st
         install_from(project.parent, environment)
     commands = 0
     for block in _CONSOLE.findall(text):
-        for example in re.split(r"^\$ ", block, flags=re.M)[1:]:
-            command, *shown = example.rstrip("\n").split("\n")
-            done = subprocess.run(
-                command,
-                shell=True,
-                cwd=folder,
-                env=environment,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT,
-                text=True,
-                encoding="utf-8",
-            )
-            assert re.fullmatch(expected_pattern(shown), done.stdout), (command, done.stdout)
-            commands += 1
+        commands += run_examples(block, folder, environment)
     assert commands or "```console" not in text
 
 

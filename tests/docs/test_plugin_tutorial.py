@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from test_examples import expected_pattern
+from test_examples import run_examples
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "plugin-tutorial.md"
@@ -82,27 +82,10 @@ def apply(step: Step, folder: Path) -> None:
     target.write_text(before.replace(step.instead, step.text), encoding="utf-8")
 
 
-def run(block: str, folder: Path, environment: dict[str, str]) -> None:
-    """Run the commands of a block, and compare what they print."""
-    for example in re.split(r"^\$ ", block, flags=re.M)[1:]:
-        command, *shown = example.rstrip("\n").split("\n")
-        done = subprocess.run(
-            command,
-            shell=True,
-            cwd=folder,
-            env=environment,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            encoding="utf-8",
-        )
-        assert re.fullmatch(expected_pattern(shown), done.stdout), (command, done.stdout)
-
-
 def follow(folder: Path, environment: dict[str, str]) -> None:
     for step in steps():
         if step.kind == "console":
-            run(step.text, folder, environment)
+            run_examples(step.text, folder, environment)
         elif step.kind in ("file", "change"):
             apply(step, folder)
 

@@ -13,23 +13,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from odd_kind import FACADE
 
 from layoutkit.constraints import Constraint, Size, answers
+from layoutkit.diagnostics import blame
 from layoutkit.diagnostics.blame import Misbehaviour
 from layoutkit.model import Violation
 
-FACADE = """<facade xmlns="urn:layoutkit:1" xmlns:odd="urn:odd:1" name="row" units="m">
-  <region symbol="R" width="6" height="2" split="columns">
-    <region symbol="A" width="1"/>
-    <region symbol="B" width="4"/>
-    <again symbol="A"/>
-  </region>
-  <constraints>
-    <repetition within="R" pattern="(A|B)+"/>
-    <odd:rule/>
-  </constraints>
-</facade>
-"""
 KIND = """
 import signal
 import time
@@ -272,16 +262,16 @@ class Endless(Constraint):
 
 
 def test_answers_without_end_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(answers, "MOST", 50)
+    monkeypatch.setattr(blame, "MOST", 50)
     endless: Any = Endless()
     with pytest.raises(Misbehaviour, match="Endless gives more than 50 ties"):
         list(answers.ties_of(endless, endless))
     with pytest.raises(Misbehaviour, match="Endless gives more than 50 violations"):
         list(answers.violations_of(endless, endless))
-    assert list(answers.bounded(range(50), endless, "ties")) == list(range(50))
+    assert list(blame.bounded(range(50), endless, "ties")) == list(range(50))
     own: Any = object.__new__(Size)
-    assert next(iter(answers.bounded(count(), own, "ties"))) == 0
-    assert len(list(answers.bounded(range(51), own, "ties"))) == 51, "our own kinds are not bounded"
+    assert next(iter(blame.bounded(count(), own, "ties"))) == 0
+    assert len(list(blame.bounded(range(51), own, "ties"))) == 51, "our own kinds are not bounded"
 
 
 def test_rules_on_words_without_end_are_refused(watched: Watched) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from layoutkit.diagnostics import Place
+from layoutkit.documents.codec import codec_of
 from layoutkit.documents.mending.repair import Edit
 
 _NAME = r"[^\s/>=\"'<]+"
@@ -88,7 +89,7 @@ class Manuscript:
     def __init__(self, source: bytes, file: str, faulty: Collection[Position]) -> None:
         self.source, self.file = source, file
         scan = _Scan(source, faulty)
-        self.codec, self.root, self.elements = scan.codec, scan.root, scan.found
+        self.codec, self.root, self.elements = codec_of(source), scan.root, scan.found
 
     def tag(self, element: Written) -> str:
         """Return an element's start tag."""
@@ -145,20 +146,15 @@ def _moved(position: Position, text: str) -> Position:
 
 
 class _Scan:
-    """Finds elements in a well-formed document, and its encoding.
+    """Finds elements in a well-formed document.
 
     Attributes
     ----------
-    codec
-        Python's name of the encoding.
     found
         The elements that are of interest, by position.
     """
 
     def __init__(self, source: bytes, faulty: Collection[Position]) -> None:
-        self.codec = "utf-16-be" if source.startswith((b"\xfe\xff", b"\0<")) else "utf-8"
-        if source.startswith((b"\xff\xfe", b"<\0")):
-            self.codec = "utf-16-le"
         # Expat counts a byte order mark as a column of the first line.
         self._mark = int(source.startswith((b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff")))
         self._faulty = frozenset(faulty)
@@ -166,13 +162,8 @@ class _Scan:
         self._open: list[Written] = []
         self._parser = parser = expat.ParserCreate(namespace_separator=" ")
         parser.namespace_prefixes = True
-        parser.XmlDeclHandler = self._declaration
         parser.StartElementHandler, parser.EndElementHandler = self._start, self._end
         parser.Parse(source, True)
-
-    def _declaration(self, version: str, encoding: str | None, standalone: int) -> None:
-        if encoding is not None and self.codec == "utf-8":
-            self.codec = encoding
 
     def _position(self) -> Position:
         line, column = self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber
