@@ -3,10 +3,10 @@
     python -m benchmarks.fuzzing [--documents 100000] [--seed 0] [--processes 2] [--semantics] [--json FILE]
     python -m benchmarks.fuzzing --seed 0 --only 4711 -o damaged.xml    # one of them, to look at
 
-Our own designs, layouts of them, masses, and constraints of plugins are damaged in structure, values and
-bytes (`benchmarks.mutations`). A document counts as failed if the check raises anything, calls one of its own
-kinds of constraint broken, takes more than `SECONDS` of the processor (on a busy machine all takes long), or
-if the process needs more than `MEGABYTES` for it.
+Our own designs, layouts, grids and edits of them, masses, and constraints of plugins are damaged in
+structure, values and bytes (`benchmarks.mutations`). A document counts as failed if the check raises
+anything, calls one of its own kinds of constraint broken, takes more than `SECONDS` of the processor (on a
+busy machine all takes long), or if the process needs more than `MEGABYTES` for it.
 With --semantics, what is left of a facade also goes through the stage `audit`, as in `layoutkit validate`.
 """
 
@@ -36,9 +36,18 @@ from layoutkit.cli.checking import everything
 from layoutkit.cli.session import Session
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.diagnostics.codes import CODES
-from layoutkit.documents import Source, check, facade_bytes, layout_bytes, read
+from layoutkit.documents import (
+    Source,
+    check,
+    facade_bytes,
+    layout_bytes,
+    read,
+    session_bytes,
+    with_grids,
+)
 from layoutkit.hooks.host import Host
-from layoutkit.model import Layout
+from layoutkit.model import Drag, Edit, Facade, Grid, Layout, RegionSet, RegionSize, Resize
+from layoutkit.model import Session as Edits
 
 FACADES = Path(__file__).resolve().parents[1] / "facades"
 SECONDS = 5.0
@@ -90,9 +99,29 @@ def originals() -> Mapping[str, Source]:
             found[f"{path.parent.name}/layout"] = Source(beside, layout_bytes(layout))
             plugin = source.replace(b"</constraints>", f"{_PLUGIN}</constraints>".encode())
             found[f"{path.parent.name}/plugin"] = Source(beside, plugin)
+            found[f"{path.parent.name}/grids"] = Source(beside, with_grids(source, _grids(facade)))
+            found[f"{path.parent.name}/session"] = Source(beside, session_bytes(_session_of(path.name)))
     for name, design in DESIGNS.items():
         found[name] = Source(str(FACADES / "fuzzed.xml"), facade_bytes(design()))
     return found
+
+
+def _grids(facade: Facade) -> tuple[Grid, ...]:
+    """Return a grid of each form: the regions of which there are most."""
+    most = max(facade.places, key=lambda path: len(facade.places[path]))
+    elements = tuple(placed.path for placed in facade.places[most])
+    return Grid("set", RegionSet(most)), Grid("paths", None, elements)
+
+
+def _session_of(file: str) -> Edits:
+    """Return edits of every form."""
+    done = (
+        Edit("add", "columns", ("set", "paths"), (2, 1), (3, 1), width=12.5),
+        Edit("move", "rows", ("set",), to=(1,), element="Facade/Floor.2/Bay"),
+        Drag("Facade/Floor", "top", -3.5),
+    )
+    undone = (Edit("remove", "rows", ("set",), (1,)), Resize(12.0), RegionSize("Facade/Floor", None, 3.0))
+    return Edits("edits", file, done, undone)
 
 
 def document(seed: int, index: int, most: int = sys.maxsize) -> tuple[str, Source]:

@@ -24,6 +24,7 @@ _ATTRIBUTE = re.compile(r'\s([^\s=<>"]+)\s*=\s*("[^"]*"|\'[^\']*\')')
 ELEMENTS = (
     *(t.name for t in (grammar.FACADE, grammar.LAYOUT, grammar.MASS, grammar.PICTURE, grammar.REGION)),
     *(t.name for t in (grammar.AGAIN, grammar.CONSTRAINTS, grammar.BOX, grammar.FOOTPRINT)),
+    *(t.name for t in (grammar.GRIDS, grammar.GRID, grammar.SESSION, grammar.EDIT, grammar.DRAG)),
     *(kind.kind for kind in BUILT_IN),
     *("regoin", "Region", "x:region", "golden:ratio", "", "-", "xml", "a" * 5000, "größe", "\U0001f600"),
 )
@@ -31,6 +32,8 @@ ATTRIBUTES = (
     *grammar.REGION.attributes,
     *grammar.PICTURE.attributes,
     *grammar.FOOTPRINT.attributes,
+    *grammar.GRID.attributes,
+    *grammar.EDIT.attributes,
     *(a.name for kind in BUILT_IN for a in kind.attributes()),
     *("widht", "xml:id", "xsi:schemaLocation", "xmlns", "xmlns:x", "x:y", "", "xml:space", "ß"),
 )
@@ -47,6 +50,18 @@ TEXTS = (
     *("http://127.0.0.1:9/x", "file:///etc/hostname", "facade.xml", "mass.xml", "\U0001f600", "e\u0301"),
     *("&#0;", "&#xD800;", "&#x10FFFF;", "&lol;", "&amp;", "&#10;", "\u202e", "\ufeff", "\u0085", "NaN"),
     *("yes", "no", "m", "px", "columns", "rows", "faces", "stretch", "repeat", "left", "center", "middle"),
+    *(
+        "F/A.2 F/B",
+        "F/A.0",
+        "F/A.",
+        "A.2/B.3 " * 10_000,
+        "1 2 3",
+        "1 " * 10_000,
+        "add",
+        "remove",
+        "move",
+        "top",
+    ),
     *("0,0 1,0 1,1 0,1", "0,0 1,1", "0,0 1e308,0 0,1e308", "0,0 " * 999, "nan,nan", "0,0 1,1 1,0 0,1"),
 )
 INSIDES = (

@@ -11,14 +11,17 @@ import typer
 
 from layoutkit import __version__
 from layoutkit.cli import (
+    apply,
     console,
     constraints,
     convert,
     count,
     explain,
+    grids,
     infer,
     inspect,
     plugins,
+    propose,
     render,
     samples,
     schema,
@@ -36,6 +39,9 @@ COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
     (vary.vary, vary.EXAMPLES),
     (count.count, count.EXAMPLES),
     (explain.explain, explain.EXAMPLES),
+    (grids.grids, grids.EXAMPLES),
+    (propose.propose, propose.EXAMPLES),
+    (apply.apply, apply.EXAMPLES),
     (convert.convert, convert.EXAMPLES),
     (infer.infer, infer.EXAMPLES),
     (inspect.inspect, inspect.EXAMPLES),

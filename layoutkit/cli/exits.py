@@ -35,6 +35,8 @@ _BY_CODE: Mapping[str, Exit] = {
     "LK4": Exit.PLUGIN,
     "LK406": Exit.USAGE,  # a name that no plugin has: asked for by the user
     "LK408": Exit.USAGE,  # a name to leave out, which no plugin has
+    "LK651": Exit.USAGE,  # a grid that the facade lacks: asked for by the user
+    "LK658": Exit.USAGE,  # a region that it lacks
     "LK7": Exit.USAGE,
     "LK9": Exit.INTERNAL,
 }

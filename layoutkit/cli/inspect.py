@@ -1,4 +1,4 @@
-"""``layoutkit inspect``: the regions of a document, or the faces of a mass, as a tree or as JSON."""
+"""``layoutkit inspect``: what a document holds, as lines or as JSON: regions and grids, faces, or edits."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ import typer
 from layoutkit.cli import console
 from layoutkit.cli.options import Json
 from layoutkit.cli.session import Session
-from layoutkit.model import Facade, Layout, PlacedRegion, Region, place
+from layoutkit.model import Facade, Grid, Layout, PlacedRegion, Region, place
 
 if TYPE_CHECKING:
     from layoutkit.documents import MassDocument
+    from layoutkit.model import Session as Edits
 
 EXAMPLES = """
 Examples:
@@ -26,18 +27,24 @@ Examples:
 - `layoutkit inspect block.xml`
 """
 
+#: What shows a phantom in a row of a grid.
+_PHANTOM = "–"
+
 
 def inspect(
     context: typer.Context,
     document_file: Annotated[
-        Path, typer.Argument(metavar="DOC", help="A facade, layout or mass document (XML).")
+        Path, typer.Argument(metavar="DOC", help="A facade, layout, mass or session document (XML).")
     ],
     as_json: Json = False,
 ) -> int:
-    """Show the regions of a facade or layout: symbols, labels, sizes; or the faces of a mass.
+    """Show what a document holds: the regions of a facade or layout, the faces of a mass, a session's edits.
+
+    Regions are shown with symbols, labels and sizes; the grids of a facade follow, row by row.
 
     With --json: boxes [x0, y0, x1, y1] in document units, y up, and the part of the picture, in its pixels
-    and y down, that the document covers. The faces of a building stand side by side.
+    and y down, that the document covers. The faces of a building stand side by side. Rows of grids hold
+    unique paths, and null where there is a gap.
     """
     from layoutkit import documents
 
@@ -46,6 +53,10 @@ def inspect(
         read = documents.read_mass(document_file)
         session.report(read.diagnostics)
         data, lines = faces(read), list_of_faces(read)
+    elif documents.is_session(document_file):
+        found = documents.read_session(document_file, session.host.constraints)
+        session.report(found.diagnostics)
+        data, lines = edits(found.session), list_of_edits(found.session)
     else:
         model = session.read(document_file).model
         data, lines = summary(model), tree(model)
@@ -72,15 +83,51 @@ def faces(document: MassDocument) -> dict[str, Any]:
 
 def list_of_faces(document: MassDocument) -> Iterator[str]:
     """Yield a mass as lines, one for each face."""
-    count = len(document.mass.faces)
-    yield f"mass {document.name}: {count} face{'s' * (count != 1)}, {document.units}"
+    yield f"mass {document.name}: {_counted(len(document.mass.faces), 'face')}, {document.units}"
     for face in document.mass.faces:
         yield f"{face.name} {face.width:.6g} × {face.height:.6g}{_elevation(face.base)}"
+
+
+def edits(session: Edits) -> dict[str, Any]:
+    """Return a session as JSON-ready data: its edits in order, those taken back last."""
+    return {
+        "kind": "session",
+        "name": session.name,
+        "facade": session.facade_file,
+        "done": len(session.done),
+        "edits": [{"kind": kind, **values} for kind, values in _steps(session)],
+    }
+
+
+def list_of_edits(session: Edits) -> Iterator[str]:
+    """Yield a session as lines, one for each edit."""
+    count = len(session.done)
+    back = f", {len(session.undone)} taken back" if session.undone else ""
+    yield f"session {session.name}: {session.facade_file}, {_counted(count, 'edit')} in force{back}"
+    for number, (kind, values) in enumerate(_steps(session), 1):
+        shown = (f'{name}="{_spaced(value)}"' for name, value in values.items())
+        yield f"{number} {' '.join([kind, *shown])}{' (taken back)' * (number > count)}"
+
+
+def _steps(session: Edits) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield the name of each edit's element, and its attributes."""
+    from layoutkit.documents.sessions import step_fields
+
+    for step in session.steps:
+        declared, values = step_fields(step)
+        yield declared.name, values
+
+
+def _spaced(value: object) -> str:
+    if isinstance(value, tuple):
+        return " ".join(map(str, value))
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def summary(model: Facade | Layout) -> dict[str, Any]:
     """Return a document as JSON-ready data: regions in document order, the root first, each path unique."""
     picture = model.picture
+    grids = {"grids": [_grid(grid, model) for grid in model.grids]} if isinstance(model, Facade) else {}
     return {
         "kind": "facade" if isinstance(model, Facade) else "layout",
         "name": model.name,
@@ -89,6 +136,7 @@ def summary(model: Facade | Layout) -> dict[str, Any]:
         "height": model.root.height,
         "picture": None if picture is None else {"file": picture.file, "box": list(picture.box)},
         "regions": [_region(placed) for placed in place(model.root)],
+        **grids,
     }
 
 
@@ -103,6 +151,15 @@ def _region(placed: PlacedRegion) -> dict[str, Any]:
     }
 
 
+def _grid(grid: Grid, facade: Facade) -> dict[str, Any]:
+    return {"name": grid.name, "rows": _rows(grid, facade)}
+
+
+def _rows(grid: Grid, facade: Facade) -> list[list[str | None]]:
+    """Return the unique paths of a grid's elements from the top down, each row from left to right."""
+    return [[None if cell is None else cell.path for cell in row] for row in grid.cells(facade)]
+
+
 def tree(model: Facade | Layout) -> Iterator[str]:
     """Yield a document as lines of an indented tree; sizes are width × height."""
     kind = "facade" if isinstance(model, Facade) else "layout"
@@ -113,6 +170,23 @@ def tree(model: Facade | Layout) -> Iterator[str]:
         yield f"picture {model.picture.file}: {left:g} {top:g} {right:g} {bottom:g}"
     yield _line(root)
     yield from _branches(root, "")
+    if isinstance(model, Facade):
+        for grid in model.grids:
+            yield from _table(grid.name, _rows(grid, model))
+
+
+def _table(name: str, rows: list[list[str | None]]) -> Iterator[str]:
+    """Yield a grid as lines, one for each row, its columns one below the other."""
+    shown = [[path or _PHANTOM for path in row] for row in rows]
+    widths = [max(map(len, column)) for column in zip(*shown, strict=True)]
+    yield f"grid {name}: {_counted(len(rows), 'row')}, {_counted(len(widths), 'column')}"
+    for row in shown:
+        cells = (path.ljust(width) for path, width in zip(row, widths, strict=True))
+        yield f"  {'  '.join(cells).rstrip()}"
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'s' * (count != 1)}"
 
 
 def _branches(region: Region, indent: str) -> Iterator[str]:

@@ -8,12 +8,27 @@ from typing import Annotated
 
 import typer
 
+from layoutkit.model import Measure
+
 Json = Annotated[bool, typer.Option("--json", help="Print the result as JSON, for other programs.")]
 FacadeFile = Annotated[Path, typer.Argument(metavar="FACADE", help="A facade document (XML).")]
 DocumentFile = Annotated[Path, typer.Argument(metavar="DOC", help="A facade or layout document (XML).")]
 FacadeOutput = Annotated[
     Path, typer.Option("-o", "--output", metavar="OUT.xml", help="The facade document to write.")
 ]
+
+
+def read_size(text: str | Measure) -> Measure:
+    """Read a size; typer also hands defaults in."""
+    try:
+        measure = Measure.parse(str(text))
+    except ValueError:
+        measure = Measure(0.0)
+    if measure.value <= 0:
+        raise typer.BadParameter(
+            f"{text or 'nothing'} is no size above 0 (such as 24) and no percentage (such as 120%)"
+        )
+    return measure
 
 
 def finite(value: float) -> float:

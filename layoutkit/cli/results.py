@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -63,13 +63,7 @@ class ResultFolder:
 
     def write_facade(self, source: bytes, picture: Path | None) -> None:
         """Copy the facade's document, and beside it its picture."""
-        from layoutkit.documents import load
-
-        if picture is not None:
-            name = f"facade{picture.suffix.lower()}"
-            self.session.write(self.folder / name, load(picture))
-            source = with_picture_file(source, name)
-        self.session.write(self.folder / FACADE_FILE, source)
+        write_facade(self.session, self.folder, source, picture)
 
     def write_variation(self, number: int, layout: Layout) -> Variation:
         """Write a layout and its picture.
@@ -110,20 +104,44 @@ class ResultFolder:
     def left_over(self, variations: Sequence[Variation]) -> tuple[Diagnostic, ...]:
         """Return a warning of variations that an earlier run left in the folder, if there are any."""
         own = {path.name for v in variations for path in (v.layout, v.picture)}
-        names = {path.name for path in self.folder.iterdir() if _VARIATION.fullmatch(path.name)}
-        if not (old := sorted(names - own)):
-            return ()
-        shown = ", ".join(old[:4]) + " …" * (len(old) > 4)
-        return (
-            Diagnostic(
-                "LK705",
-                f"{len(old)} files of an earlier run are still here: {shown}",
-                Place(str(self.folder)),
-                "delete them, or name a new folder with -o",
-                Severity.WARNING,
-                "usage",
-            ),
-        )
+        return left_over(self.folder, _VARIATION, own)
+
+
+def write_facade(session: Session, folder: Path, source: bytes, picture: Path | None) -> None:
+    """Write a copy of a facade's document into a folder of results, and beside it its picture."""
+    from layoutkit.documents import load
+
+    if picture is not None:
+        name = f"facade{picture.suffix.lower()}"
+        session.write(folder / name, load(picture))
+        source = with_picture_file(source, name)
+    session.write(folder / FACADE_FILE, source)
+
+
+def left_over(folder: Path, pattern: re.Pattern[str], own: Collection[str]) -> tuple[Diagnostic, ...]:
+    """Return a warning of files that an earlier run left in a folder, if there are any.
+
+    Parameters
+    ----------
+    pattern
+        What results are called.
+    own
+        Names of the results of this run.
+    """
+    names = {path.name for path in folder.iterdir() if pattern.fullmatch(path.name)}
+    if not (old := sorted(names - set(own))):
+        return ()
+    shown = ", ".join(old[:4]) + " …" * (len(old) > 4)
+    return (
+        Diagnostic(
+            "LK705",
+            f"{len(old)} files of an earlier run are still here: {shown}",
+            Place(str(folder)),
+            "delete them, or name a new folder with -o",
+            Severity.WARNING,
+            "usage",
+        ),
+    )
 
 
 def _breaking(layout: Layout, broken: Sequence[str]) -> Diagnostic:

@@ -71,7 +71,7 @@ def validate(
         list[str],
         typer.Argument(
             metavar="FILE...",
-            help="Facade, layout and mass documents (XML); folders, in which all .xml files are meant; "
+            help="Facade, layout, mass and session documents (XML); folders: all .xml files in them; "
             "quoted patterns such as 'out/**/*.xml'; - for standard input.",
         ),
     ],
@@ -118,9 +118,10 @@ def validate(
     ] = False,
     as_json: Json = False,
 ) -> int:
-    """Find every fault of facade, layout and mass documents: file, line, reason and remedy.
+    """Find every fault of facade, layout, mass and session documents: file, line, reason and remedy.
 
-    A layout is also checked against the constraints of the facade that it names.
+    A layout is also checked against the constraints of the facade that it names, and of a session that facade
+    is checked with it.
     """
     from layoutkit.reports import Report
 

@@ -13,7 +13,7 @@ import typer
 from layoutkit.cli import console
 from layoutkit.cli.exits import EXITS, exit_of
 from layoutkit.cli.infer import Freedom, inferred
-from layoutkit.cli.options import FacadeFile, Json, finite
+from layoutkit.cli.options import FacadeFile, Json, finite, read_size
 from layoutkit.cli.render import photo_of
 from layoutkit.cli.results import FACADE_FILE, ResultFolder, Variation
 from layoutkit.cli.session import Session
@@ -45,23 +45,10 @@ Examples:
 """
 
 
-def _size(text: str | Measure) -> Measure:
-    """Read a size; typer also hands the default in."""
-    try:
-        measure = Measure.parse(str(text))
-    except ValueError:
-        measure = Measure(0.0)
-    if measure.value <= 0:
-        raise typer.BadParameter(
-            f"{text or 'nothing'} is no size above 0 (such as 24) and no percentage (such as 120%)"
-        )
-    return measure
-
-
 Size = Annotated[
     Measure,
     typer.Option(
-        parser=_size,
+        parser=read_size,
         metavar="SIZE",
         show_default="100%",
         help="A number in the document's units, or a percentage of the input's size, such as 120%.",
@@ -150,8 +137,14 @@ class _Result:
     variation: Variation | None
 
 
-def refuse_own_input(facade_file: Path, output: Path) -> None:
-    """Raise `Faulty` if the copy of the facade in a folder of results would overwrite the facade itself."""
+def refuse_own_input(facade_file: Path, output: Path, results: str = "variations") -> None:
+    """Raise `Faulty` if the copy of the facade in a folder of results would overwrite the facade itself.
+
+    Parameters
+    ----------
+    results
+        What to call another folder.
+    """
     own = output / FACADE_FILE
     if own.exists() and facade_file.exists() and own.samefile(facade_file):
         raise Faulty(
@@ -160,7 +153,7 @@ def refuse_own_input(facade_file: Path, output: Path) -> None:
                     "LK704",
                     f"the results' copy of the facade would overwrite the input {facade_file}",
                     Place(str(output)),
-                    f"name another folder with -o, such as {output / 'variations'}",
+                    f"name another folder with -o, such as {output / results}",
                     topic="usage",
                 )
             ]

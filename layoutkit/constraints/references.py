@@ -3,34 +3,62 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from typing import NamedTuple
 
 from layoutkit.constraints.constraint import Constraint
 from layoutkit.diagnostics import Diagnostic, did_you_mean
 from layoutkit.model import Facade, RegionSet, Word
 
 
+class Missing(NamedTuple):
+    """A name that is not there.
+
+    Attributes
+    ----------
+    what
+        What it is a name of.
+    known
+        The names that there are.
+    """
+
+    what: str
+    name: str
+    known: Iterable[str]
+
+    @property
+    def message(self) -> str:
+        """What the document does with the name, without its subject."""
+        return f"names the {self.what} {self.name!r}, which is not there"
+
+
+def missing_names(regions: RegionSet, facade: Facade, within: str | None = None) -> Iterator[Missing]:
+    """Yield every name in `regions` that the facade, or the region `within`, lacks."""
+    for name in regions.names():
+        if name.startswith("@"):
+            if name[1:] not in facade.labels:
+                yield Missing("label", name[1:], facade.labels)
+        elif name.endswith("/*"):
+            if (path := name.removesuffix("/*")) not in facade.regions:
+                yield Missing("region", path, facade.regions)
+        elif within is not None and "/" not in name:
+            if f"{within}/{name}" not in facade.regions:
+                children = {child.symbol for child in facade.regions[within].children}
+                yield Missing(f"symbol in {within}", name, children)
+        elif name not in facade.regions:
+            yield Missing("region", name, facade.regions)
+
+
 def unknown_names(
     constraint: Constraint, regions: RegionSet, facade: Facade, within: str | None = None
 ) -> Iterator[Diagnostic]:
     """Yield a diagnostic for every name in `regions` that the facade, or the region `within`, lacks."""
-    for name in regions.names():
-        if name.startswith("@"):
-            if name[1:] not in facade.labels:
-                yield _unknown(constraint, "label", name[1:], facade.labels)
-        elif name.endswith("/*"):
-            yield from unknown_path(constraint, name.removesuffix("/*"), facade)
-        elif within is not None and "/" not in name:
-            if f"{within}/{name}" not in facade.regions:
-                children = {child.symbol for child in facade.regions[within].children}
-                yield _unknown(constraint, f"symbol in {within}", name, children)
-        elif name not in facade.regions:
-            yield _unknown(constraint, "region", name, facade.regions)
+    return (_unknown(constraint, missing) for missing in missing_names(regions, facade, within))
 
 
 def unknown_path(constraint: Constraint, path: str, facade: Facade) -> Iterator[Diagnostic]:
     """Yield a diagnostic if there is no region of that path."""
     if path not in facade.regions:
-        yield _unknown(constraint, "region", path, facade.regions)
+        yield _unknown(constraint, Missing("region", path, facade.regions))
 
 
 def unknown_composite(constraint: Constraint, path: str, facade: Facade) -> Iterator[Diagnostic]:
@@ -52,7 +80,7 @@ def unknown_in_word(constraint: Constraint, word: Word, within: str, facade: Fac
     known = {child.symbol for child in children} | {f"@{name}" for child in children for name in child.labels}
     for name in (name for regions in word.sets for name in regions.names()):
         if name not in known:
-            yield _unknown(constraint, f"direct subregion of {within}", name, known)
+            yield _unknown(constraint, Missing(f"direct subregion of {within}", name, known))
 
 
 def unknown_symbols(
@@ -62,7 +90,7 @@ def unknown_symbols(
     known = {child.symbol for child in facade.regions[within].children}
     for symbol in symbols:
         if symbol not in known:
-            yield _unknown(constraint, f"symbol in {within}", symbol, known)
+            yield _unknown(constraint, Missing(f"symbol in {within}", symbol, known))
 
 
 def unknown_neighbours(
@@ -75,14 +103,14 @@ def unknown_neighbours(
     known = {child.symbol for child in children} | {f"@{name}" for child in children for name in child.labels}
     for name in (name for regions in word.sets for name in regions.names()):
         if name not in known:
-            yield _unknown(constraint, "neighbour", name, known)
+            yield _unknown(constraint, Missing("neighbour", name, known))
 
 
-def _unknown(constraint: Constraint, what: str, name: str, known: Iterable[str]) -> Diagnostic:
+def _unknown(constraint: Constraint, missing: Missing) -> Diagnostic:
     return Diagnostic(
         "LK201",
-        f"{constraint.qualified_name()} names the {what} {name!r}, which is not there",
+        f"{constraint.qualified_name()} {missing.message}",
         constraint.place,
-        did_you_mean(name, known),
+        did_you_mean(missing.name, missing.known),
         topic="reference",
     )

@@ -209,6 +209,24 @@ def mapped(regions: RegionSet, change: Callable[[str], tuple[str, ...]]) -> Regi
     change
         Gives the names, at least one, that stand for a name.
     """
+    found = reduced(regions, change)
+    assert found is not None  # there is a name for each
+    return found
+
+
+def reduced(regions: RegionSet, change: Callable[[str], tuple[str, ...]]) -> RegionSet | None:
+    """Return a set with every name in it replaced by the union of others, or left out where there is none.
+
+    Parameters
+    ----------
+    change
+        Gives the names that stand for a name; none if nothing goes by it any more.
+
+    Returns
+    -------
+    RegionSet or None
+        None where no name is left that could be in the set.
+    """
     spine = []
     while regions.left is not None:  # as long as a union has names: no recursion along it
         spine.append(regions)
@@ -216,8 +234,10 @@ def mapped(regions: RegionSet, change: Callable[[str], tuple[str, ...]]) -> Regi
     found = _union(change(regions.name))
     for node in reversed(spine):
         assert node.right is not None
-        right = mapped(node.right, change)
-        if node.operator == "|" and node.right.operator is None:  # a longer union, without parentheses
+        right = reduced(node.right, change)
+        if found is None or right is None:
+            found = _left_of(found, right, node.operator)
+        elif node.operator == "|" and node.right.operator is None:  # a longer union, without parentheses
             for name in right.names():
                 found = RegionSet(operator="|", left=found, right=RegionSet(name))
         else:
@@ -225,12 +245,19 @@ def mapped(regions: RegionSet, change: Callable[[str], tuple[str, ...]]) -> Regi
     return found
 
 
-def _union(names: Iterable[str]) -> RegionSet:
-    """Return the union of names, which need not be of the form that documents ask for."""
-    first, *others = names
-    found = RegionSet(first)
-    for name in others:
-        found = RegionSet(operator="|", left=found, right=RegionSet(name))
+def _left_of(left: RegionSet | None, right: RegionSet | None, operator: str | None) -> RegionSet | None:
+    """Return what remains of an operation of whose operands one, or both, are empty."""
+    if operator == "&":
+        return None
+    return right if left is None and operator == "|" else left
+
+
+def _union(names: Iterable[str]) -> RegionSet | None:
+    """Return the union of names, which need not be of the form that documents ask for; None of none."""
+    found = None
+    for name in names:
+        one = RegionSet(name)
+        found = one if found is None else RegionSet(operator="|", left=found, right=one)
     return found
 
 

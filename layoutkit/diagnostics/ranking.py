@@ -21,7 +21,9 @@ _CAUSES = (
 )
 _ORDER = {prefix: rank for rank, prefixes in enumerate(_CAUSES) for prefix in prefixes}
 
-#: What a constraint names that is not there (LK201): what it is, and its name.
+#: Names of constraints and grids that are not there.
+_OF_NAMES = frozenset({"LK201", "LK241"})
+#: What it is a name of, and the name.
 _UNKNOWN = re.compile(r"names the (?P<what>.+?) '(?P<name>[^']*)', which is not there$")
 _WITHIN = re.compile(r"(?:symbol in|direct subregion of) (?P<path>\S+)")
 #: What layouts break: their messages begin with the path of a region.
@@ -78,7 +80,7 @@ def _file(diagnostic: Diagnostic) -> str:
 
 def _unknown_name(diagnostic: Diagnostic) -> str:
     """Return the name that is not there, as a path where one is known; empty for another kind of fault."""
-    told = diagnostic.code == "LK201" and diagnostic.count == 1  # else it speaks of other names as well
+    told = diagnostic.code in _OF_NAMES and diagnostic.count == 1  # else it speaks of other names as well
     found = _UNKNOWN.search(diagnostic.message) if told else None
     if found is None:
         return ""

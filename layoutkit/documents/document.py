@@ -12,7 +12,8 @@ from layoutkit.constraints.dressing import dressed, dressing_faults
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean, worst
 from layoutkit.documents.facade_regions import FacadeReader
 from layoutkit.documents.files import like_one_beside
-from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, MASS, NAMESPACE, PICTURE
+from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, MASS, NAMESPACE, PICTURE, SESSION
+from layoutkit.documents.grids import check_grids, read_grids
 from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
 from layoutkit.documents.makers import Maker, Numbers, Regions
 from layoutkit.documents.masses import mass_of
@@ -25,7 +26,17 @@ from layoutkit.model import Facade, Layout, Mass, Picture, Region
 from layoutkit.model.region import TILING_TOLERANCE
 
 #: What may stand in a facade, in this order.
-_FACADE_PARTS = ("picture", "region", "constraints")
+_FACADE_PARTS = ("picture", "region", "constraints", "grids")
+#: Documents that name a facade, and which one is meant.
+_INSTEAD = {
+    LAYOUT.name: "name the facade that the layout was made from; where `vary` made it, that is facade.xml",
+    SESSION.name: "name the facade that the edits begin with",
+}
+#: Documents that are no facade, and what to do with them.
+_OTHERS = {
+    MASS.name: "name a facade; the mass goes with it: --mass",
+    SESSION.name: "name the facade that it edits, which its attribute facade says",
+}
 _NO_TREE = Region("", math.nan, math.nan)
 
 
@@ -124,8 +135,8 @@ def _check_root(root: Element, reading: Reading) -> None:
     if not ours or root.name not in names:
         shown = f"of the namespace {root.namespace!r}" if not ours else "no document of ours"
         hint = namespace_hint(root) if not ours else did_you_mean(root.name, names)
-        if ours and root.name == MASS.name:
-            shown, hint = "no facade", "name a facade; the mass goes with it: --mass"
+        if ours and root.name in _OTHERS:
+            shown, hint = "no facade", _OTHERS[root.name]
         reading.fault("LK101", f"<{root.name}> is {shown}", root, hint)
         raise Faulty(reading.ordered())
     if not root.namespace:
@@ -157,15 +168,18 @@ def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
     found: tuple[tuple[Constraint, Element], ...] = ()
     if "constraints" in parts:
         found = read_constraints(parts["constraints"], kinds, reading)
+    grids = read_grids(parts["grids"], reading) if "grids" in parts else ()
     facade = Facade(
         values.get("name") or "",
         values.get("units") or "m",
         tree,
         _picture(parts, reading),
         tuple(constraint for constraint, _ in found),
+        grids=tuple(grid for grid, _ in grids),
     )
     if regions.names_known:
         check_constraints(facade, found, reading)
+        check_grids(facade, grids, reading)
     return facade
 
 
@@ -223,41 +237,54 @@ def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) ->
     """Return the facade that a layout names, its faults recorded with those of the layout."""
     if layout.facade_file is None:
         return None
-    path = Path(root.file).parent / layout.facade_file
+    facade = named_facade(layout.facade_file, root, kinds, reading, Severity.WARNING)
+    if facade is None or layout.mass is None:
+        return facade
+    faults = [d for d in dressing_faults(facade, layout.mass) if d.severity is Severity.ERROR]
+    reading.diagnostics += faults
+    return None if faults else dressed(facade, layout.mass)
+
+
+def named_facade(
+    file: str, root: Element, kinds: Kinds, reading: Reading, missing: Severity
+) -> Facade | None:
+    """Return the facade that another document names; None if it is not there, or has errors.
+
+    What is to be said of it is recorded with the reading of that document.
+
+    Parameters
+    ----------
+    file
+        Relative to the document.
+    root
+        That of the document.
+    missing
+        How grave it is that the file is not there.
+    """
+    path, document = Path(root.file).parent / file, root.name
     try:
         if not path.is_file():  # a device or pipe that a document names is not to be read
-            message = f"the layout's facade {layout.facade_file!r} is not there"
-            warning = Diagnostic(
-                "LK504",
-                message,
-                root.place,
-                _missing_hint(layout.facade_file, path),
-                Severity.WARNING,
-                "layout",
-            )
-            reading.diagnostics.append(warning)
+            message = f"the {document}'s facade {file!r} is not there"
+            hint = _missing_hint(file, path)
+            reading.diagnostics.append(Diagnostic("LK504", message, root.place, hint, missing, document))
             return None
         facade_root = stream(Source.of(path), lambda layout, root: Numbers()).root
-        if facade_root.name == LAYOUT.name:
-            message = f"{layout.facade_file!r} is no facade, but a layout"
-            hint = "name the facade that the layout was made from; where `vary` made it, that is facade.xml"
-            reading.fault("LK505", message, root, hint, topic="layout")
+        if facade_root.name in _INSTEAD:
+            message = f"{file!r} is no facade, but a {facade_root.name}"
+            reading.fault("LK505", message, root, _INSTEAD[document], document)
             return None
         facade_reading = Reading(facade_root.namespace)
         _check_root(facade_root, facade_reading)
         facade = _facade(facade_root, kinds, facade_reading)
     except (Faulty, OSError) as error:
         if isinstance(error, OSError):  # e.g. a name longer than any file's
-            reading.fault("LK001", f"the facade cannot be read: {error.strerror}", root, topic="layout")
+            message, hint = f"the facade cannot be read: {error.strerror}", "correct the attribute facade"
+            reading.fault("LK001", message, root, hint, document)
         else:
             reading.diagnostics += error.diagnostics
         return None
     reading.diagnostics += in_order(facade_reading.diagnostics)
-    if layout.mass is None or facade_reading.diagnostics.erroneous:
-        return facade
-    faults = [d for d in dressing_faults(facade, layout.mass) if d.severity is Severity.ERROR]
-    reading.diagnostics += faults
-    return None if faults else dressed(facade, layout.mass)
+    return None if facade_reading.diagnostics.erroneous else facade
 
 
 def _missing_hint(name: str, path: Path) -> str:

@@ -1,4 +1,4 @@
-"""What facade and layout documents are made of, declared once: the reader and the schema follow from it."""
+"""What documents are made of, declared once: the reader and the schema follow from it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from layoutkit.constraints.attributes import Attribute, AttributeType, choice
+from layoutkit.constraints.attributes import REGIONS, Attribute, AttributeType, choice
 from layoutkit.constraints.namespace import CORE
 from layoutkit.model.face import Point
 from layoutkit.model.mass import CORNER
@@ -19,6 +19,8 @@ from layoutkit.model.selection import SYMBOL
 NAMESPACE = CORE.uri
 #: Points of one footprint: that they do not cross is found by comparing all of its sides.
 POINT_LIMIT = 1000
+#: Of the number of a column or row.
+_DIGITS = 9
 
 _SYMBOL = re.compile(SYMBOL)
 _BLANKS = re.compile(r"[ \t\r\n]+")
@@ -34,6 +36,15 @@ _NUMBER_PATTERN = rf"[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+){_EXPONENT}"
 _POINTS_PATTERN = rf"\s*{_NUMBER_PATTERN},{_NUMBER_PATTERN}(\s+{_NUMBER_PATTERN},{_NUMBER_PATTERN})*\s*"
 _PIXEL_PATTERN = rf" *\+?([0-9]+(\.[0-9]*)?|\.[0-9]+){_EXPONENT} *"
 _WHOLE_PATTERN = r"[0-9]{1,39}"
+_POSITION_PATTERN = "[1-9][0-9]*"
+_REPEAT = rf"(\.{_POSITION_PATTERN})?"
+_STEP, _STEP_PATTERN = rf"{SYMBOL}{_REPEAT}", rf"{_SYMBOL_PATTERN}{_REPEAT}"
+_PATH_PATTERN = rf"{_STEP_PATTERN}(/{_STEP_PATTERN})*"
+
+
+def _some(pattern: str) -> str:
+    """Return the pattern of at least one thing, and blanks between them."""
+    return rf"\s*{pattern}(\s+{pattern})*\s*"
 
 
 def _spelled(pattern: str) -> Callable[[str], bool]:
@@ -46,6 +57,7 @@ _remembered = lru_cache(maxsize=1 << 14)
 
 _is_positive, _is_pixel, _is_whole = map(_spelled, (_POSITIVE_PATTERN, _PIXEL_PATTERN, _WHOLE_PATTERN))
 _is_number, _are_points = _spelled(f" *{_NUMBER_PATTERN} *"), _spelled(_POINTS_PATTERN)
+_is_position, _is_path = _spelled(_POSITION_PATTERN), _spelled(f"{_STEP}(/{_STEP})*")
 
 
 @_remembered
@@ -101,6 +113,42 @@ def _labels(text: str) -> tuple[str, ...]:
     return tuple(_symbol(part) for part in _BLANKS.split(text) if part)
 
 
+def _parts(text: str) -> tuple[str, ...]:
+    found = tuple(part for part in _BLANKS.split(text) if part)
+    if not found:
+        raise ValueError("at least one is needed")
+    return found
+
+
+def _unique_path(text: str) -> str:
+    if not _is_path(text):
+        raise ValueError(f"{text!r} is no path such as House/Floor.2/Window")
+    return text
+
+
+def _unique_paths(text: str) -> tuple[str, ...]:
+    return tuple(_unique_path(part) for part in _parts(text))
+
+
+def _names(text: str) -> tuple[str, ...]:
+    found = tuple(_symbol(part) for part in _parts(text))
+    if len(set(found)) < len(found):
+        raise ValueError(f"{text!r} should name each once")
+    return found
+
+
+def _positions(text: str) -> tuple[int, ...]:
+    found = _parts(text)
+    for part in found:
+        if not _is_position(part) or len(part) > _DIGITS:
+            raise ValueError(f"{part!r} is not a whole number of at least 1")
+    return tuple(map(int, found))
+
+
+def _spaced(values: tuple[object, ...]) -> str:
+    return " ".join(map(str, values))
+
+
 SIZE = AttributeType("size", _size, pattern=_POSITIVE_PATTERN)
 _PIXEL = AttributeType("pixel", _pixel, pattern=_PIXEL_PATTERN)
 NUMBER = AttributeType("number", _number, format_number, pattern=f" *{_NUMBER_PATTERN} *")
@@ -108,12 +156,20 @@ _POINTS = AttributeType("points", _points, _points_text, pattern=_POINTS_PATTERN
 _WHOLE = AttributeType("whole", _whole, pattern=_WHOLE_PATTERN)
 _NAME = AttributeType("symbol", _symbol, pattern=_SYMBOL_PATTERN)
 _LABELS = AttributeType("labels", _labels, " ".join, pattern=_LABELS_PATTERN)
+_PATH = AttributeType("unique path", _unique_path, pattern=_PATH_PATTERN)
+_PATHS = AttributeType("unique paths", _unique_paths, _spaced, pattern=_some(_PATH_PATTERN))
+_NAMES = AttributeType("names", _names, _spaced, pattern=_some(_SYMBOL_PATTERN))
+_POSITIONS = AttributeType("positions", _positions, _spaced, pattern=_some(_POSITION_PATTERN))
 _TEXT = AttributeType("text", str)
 _UNITS = choice("units", "m", "px")
 _SPLIT = choice("split", "columns", "rows")
 _ROOT_SPLIT = choice("split", "columns", "rows", "faces")
 _CLOSED = choice("closed", "yes", "no")
 _FILL = choice("fill", "stretch", "repeat")
+_ACTION = choice("action", "add", "remove", "move")
+_AXIS = choice("axis", "columns", "rows")
+_GAP = choice("gap", "before", "after")
+_SIDE = choice("side", "left", "right", "top", "bottom")
 
 
 def _required(name: str, kind: AttributeType, help: str) -> Attribute:
@@ -215,6 +271,18 @@ CONSTRAINTS = element_type(
     "constraints",
     "What every variation keeps. A comment directly above a constraint says why it is there.",
 )
+GRIDS = element_type("grids", "Regions that are edited together, as grids of rows and columns.")
+GRID = element_type(
+    "grid",
+    "A grid: which of its elements stand in one row or column follows from where they are. No two overlap.",
+    _required("name", _NAME, "What edits call it; each grid of a facade has another name."),
+    _optional("of", REGIONS, "A set of regions, such as @Window: all its places are elements."),
+    _optional(
+        "elements",
+        _PATHS,
+        "Further elements, by the unique paths that layoutkit inspect prints, separated by blanks.",
+    ),
+)
 _MASS_HELP = (
     "A building's mass, of boxes and footprints: x to the east, y to the north, elevations above the ground."
 )
@@ -244,4 +312,53 @@ FOOTPRINT = element_type(
     _PART_BASE,
     _optional("closed", _CLOSED, "yes, or no for a wall by itself, whose outside is on the right.", "yes"),
     _optional("corner", SIZE, "Degrees from which on two segments meet in a corner between faces.", CORNER),
+)
+
+SESSION = element_type(
+    "session",
+    "The edits of a facade, one after the other: they can be made again, taken back, and gone on with.",
+    _DOCUMENT_NAME,
+    _required("facade", _TEXT, "The document of the facade that they begin with, relative to this one."),
+    _optional("done", _WHOLE, "How many of them are in force; the rest were taken back. Left out: all."),
+)
+EDIT = element_type(
+    "edit",
+    "A column or row of grids that was added, removed or moved, or an element that was moved.",
+    _required("action", _ACTION, "What was done."),
+    _required("axis", _AXIS, "Whether columns or rows; an element moves across columns or across rows."),
+    _required("grids", _NAMES, "The grids that were edited, separated by blanks."),
+    _optional(
+        "source",
+        _POSITIONS,
+        "Which column or row was copied, removed or moved, counted from 1 before the edit. Of several grids "
+        "that are unlike each other, one for each kind, in the order of their names.",
+    ),
+    _optional(
+        "at", _POSITIONS, "Added: which column or row the new one is afterwards, as many numbers as source."
+    ),
+    _optional("to", _POSITIONS, "Moved: which column or row it is afterwards, as many numbers as source."),
+    _optional("gap", _GAP, "Removed: which of the gaps beside it went with it.", "after"),
+    _optional("element", _PATH, "Instead of source: the unique path of the one element that was moved."),
+    _optional("width", SIZE, "The width that the facade was to have afterwards; left out, what follows."),
+    _optional("height", SIZE, "The height that the facade was to have afterwards; left out, what follows."),
+)
+RESIZE = element_type(
+    "resize",
+    "The facade was given another size, and everything in it followed.",
+    _optional("width", SIZE, "The new width; left out, it was not asked for."),
+    _optional("height", SIZE, "The new height; left out, it was not asked for."),
+)
+DRAG = element_type(
+    "drag",
+    "A side of a region was dragged to another place.",
+    _required("region", _PATH, "The unique path of the region."),
+    _required("side", _SIDE, "Which of its sides."),
+    _required("to", NUMBER, "Where the side was to be: x of left and right, y of top and bottom, upwards."),
+)
+REGION_SIZE = element_type(
+    "size",
+    "A region was given another size.",
+    _required("region", _PATH, "The unique path of the region."),
+    _optional("width", SIZE, "The new width; left out, it was not asked for."),
+    _optional("height", SIZE, "The new height; left out, it was not asked for."),
 )

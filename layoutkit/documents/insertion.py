@@ -1,17 +1,24 @@
-"""Constraints added to a user's own document, every byte of theirs kept."""
+"""Constraints and grids added to a user's own document, every byte of theirs kept."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
 from xml.parsers import expat
 
 from layoutkit.constraints import Constraint
 from layoutkit.documents.codec import codec_of
+from layoutkit.documents.grammar import CONSTRAINTS, GRIDS
 from layoutkit.documents.tree import parse
-from layoutkit.documents.writing import INDENT, constraint_lines
+from layoutkit.documents.writing import INDENT, constraint_lines, grid_lines
+from layoutkit.model import Grid
 
 _BLANK = " \t\r\n"
+#: Parts of a facade that come behind those that may be added.
+_LATER = {CONSTRAINTS.name: (GRIDS.name,)}
+#: Comments up to the end of a line.
+_REMARKS = re.compile(r"(?:[ \t]*<!--(?:[^-]|-[^-])*-->)*[ \t]*(?=[\r\n])")
 
 
 def with_constraints(source: bytes, constraints: Sequence[Constraint]) -> bytes:
@@ -34,23 +41,57 @@ def with_constraints(source: bytes, constraints: Sequence[Constraint]) -> bytes:
     """
     if not constraints:
         return source
+    return _inserted(source, CONSTRAINTS.name, lambda prefix: constraint_lines(constraints, prefix))
+
+
+def with_grids(source: bytes, grids: Sequence[Grid]) -> bytes:
+    """Return a facade's document with grids added after those that it has; the rest as `with_constraints`.
+
+    Parameters
+    ----------
+    source
+        A facade document without errors.
+    grids
+        What to add; none has the name of one that is there.
+
+    Raises
+    ------
+    Faulty
+        If the source is no XML.
+    """
+    if not grids:
+        return source
+    return _inserted(source, GRIDS.name, lambda prefix: grid_lines(grids, prefix))
+
+
+def _inserted(source: bytes, part: str, lines_of: Callable[[str], Iterable[str]]) -> bytes:
+    """Return a document with lines added at the end of a part of its root, which is made if it is not there.
+
+    Parameters
+    ----------
+    lines_of
+        Returns the lines, given the prefix of the documents' namespace with its colon.
+    """
     parse(source, "")  # raises what is wrong with the source
     scan, codec = _Scan(source), codec_of(source)
-    host = _opened(source, scan.constraints or scan.root, codec)
-    indent = _last_line(host.before)
+    given = scan.part(part)
+    host = _opened(source, given or scan.root, codec)
+    indent = next_indent = _last_line(host.before)
     step = _indent_of_first(host.inside) or indent + INDENT
-    lines = list(constraint_lines(constraints, host.prefix))
-    if scan.constraints is None:
+    lines = list(lines_of(host.prefix))
+    if given is None:
         unit = step.removeprefix(indent) or INDENT
-        name = f"{host.prefix}constraints"
+        name = f"{host.prefix}{part}"
         lines = [f"<{name}>", *(unit + line for line in lines), f"</{name}>"]
+        if (last := scan.last_before(part)) is not None:
+            host, next_indent = _cut(source, host, last, codec), step
     line_end = next((end for end in ("\r\n", "\n", "\r") if end in source.decode(codec)), "\n")
     kept = host.inside.rstrip(_BLANK)
     # A comment at the end is the user's, and not the reason for what follows it: a blank line parts them.
     added = line_end if kept.endswith("-->") else ""
     added += "".join(f"{line_end}{step}{line}" for line in lines)
     if kept == host.inside:
-        added += line_end + indent  # the end tag stood on the same line
+        added += line_end + next_indent  # what follows stood on the same line
     at = len(host.opening) + len(kept.encode(codec))
     body = host.opening + host.inside.encode(codec) + host.closing
     return body[:at] + added.encode(codec, "xmlcharrefreplace") + body[at:]
@@ -80,14 +121,15 @@ class _Span:
 
 @dataclass(frozen=True)
 class _Host:
-    """The element that takes the constraints, an empty-element tag opened.
+    """The element that takes the lines, an empty-element tag opened.
 
     Attributes
     ----------
     before
         The text before its start tag.
     opening, inside, closing
-        The document up to the end of its start tag, its content, and the rest.
+        The document up to the end of its start tag, its content up to where the lines may go at the latest,
+        and the rest.
     """
 
     prefix: str
@@ -98,11 +140,17 @@ class _Host:
 
 
 class _Scan:
-    """Finds the root and its constraints in a well-formed document."""
+    """Finds the root and its parts in a well-formed document.
+
+    Attributes
+    ----------
+    parts
+        Local names and spans of the root's children.
+    """
 
     def __init__(self, source: bytes) -> None:
         self.source = source
-        self.constraints: _Span | None = None
+        self.parts: list[tuple[str, _Span]] = []
         self._open: list[int] = []
         self._bare = False
         self._parser = parser = expat.ParserCreate(namespace_separator=" ")
@@ -111,6 +159,16 @@ class _Scan:
         parser.CharacterDataHandler = parser.CommentHandler = self._content
         parser.ProcessingInstructionHandler = self._content
         parser.Parse(source, True)
+
+    def part(self, name: str) -> _Span | None:
+        """Return the first part of a name."""
+        return next((span for other, span in self.parts if other == name), None)
+
+    def last_before(self, name: str) -> _Span | None:
+        """Return the part behind which one of a name is to stand; None: at the end."""
+        later = _LATER.get(name, ())
+        at = next((number for number, (other, _) in enumerate(self.parts) if other in later), 0)
+        return self.parts[at - 1][1] if at else None
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         self._open.append(self._parser.CurrentByteIndex)
@@ -127,8 +185,8 @@ class _Scan:
             span = _Span(prefix and f"{prefix}:", start, end, self._bare and tag.endswith(b"/>"))
             if not self._open:
                 self.root = span
-            elif local == "constraints" and self.constraints is None:
-                self.constraints = span
+            else:
+                self.parts.append((local, span))
         self._bare = False
 
 
@@ -141,6 +199,18 @@ def _opened(source: bytes, span: _Span, codec: str) -> _Host:
         return _Host(span.prefix, before, opening, "", f"</{name}>".encode(codec) + source[span.end :])
     at = span.start + len(text[: _tag_end(text)].encode(codec))
     return _Host(span.prefix, before, source[:at], source[at : span.end].decode(codec), source[span.end :])
+
+
+def _cut(source: bytes, host: _Host, last: _Span, codec: str) -> _Host:
+    """Return a host whose content ends behind a part of it, and behind what is said of that on its line."""
+    begin = len(host.opening)
+    behind = source[last.end : begin + len(host.inside.encode(codec))].decode(codec)
+    at = 0 if last.empty else behind.index(">") + 1
+    if remarks := _REMARKS.match(behind, at):
+        at = remarks.end()
+    at = len(behind) - len(behind[at:].lstrip(_BLANK))
+    end = last.end + len(behind[:at].encode(codec))
+    return replace(host, inside=source[begin:end].decode(codec), closing=source[end:])
 
 
 def _tag_end(text: str) -> int:

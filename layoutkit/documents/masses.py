@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from xml.parsers import expat
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
-from layoutkit.documents.grammar import BOX, FOOTPRINT, MASS, NAMESPACE, ElementType
+from layoutkit.documents.grammar import BOX, FOOTPRINT, MASS, ElementType
 from layoutkit.documents.reading import Reading
+from layoutkit.documents.roots import check_root, is_rooted
 from layoutkit.documents.source import Source
-from layoutkit.documents.spelling import near_namespace
 from layoutkit.documents.tree import Element, parse
 from layoutkit.model import Block, Footprint, Mass, Part
 from layoutkit.model.facade import Units
@@ -44,16 +42,7 @@ def is_mass(document: Path | str | Source) -> bool:
     Faulty
         If the file cannot be read.
     """
-    source = document if isinstance(document, Source) else Source.of(document)
-    names: list[str] = []
-    parser = expat.ParserCreate(source.encoding, namespace_separator=" ")
-    parser.StartElementHandler = lambda name, attributes: names.append(name)
-    with contextlib.suppress(expat.ExpatError, LookupError, ValueError):  # as the reader will say
-        for chunk in source.chunks():
-            parser.Parse(chunk, False)
-            if names:
-                break
-    return bool(names) and names[0].rpartition(" ")[2] == MASS.name
+    return is_rooted(document, MASS)
 
 
 def read_mass(document: Path | str | Source) -> MassDocument:
@@ -65,24 +54,16 @@ def read_mass(document: Path | str | Source) -> MassDocument:
         If it has errors; all of them are in it.
     """
     root = parse(document if isinstance(document, Source) else Source.of(document))
-    if root.name != MASS.name or root.namespace not in ("", NAMESPACE):
-        hint = "a mass is described by <mass>, which holds boxes and footprints"
-        message = f"<{root.name}> is no mass"
-        if root.name == MASS.name and near_namespace(root.namespace):
-            message, hint = f"<mass> is of the namespace {root.namespace!r}", f"did you mean {NAMESPACE!r}?"
-        raise Faulty([Diagnostic("LK101", message, root.place, hint, topic="schema")])
     reading = Reading(root.namespace)
-    read = mass_document(root, reading)
+    check_root(root, MASS, "a mass is described by <mass>, which holds boxes and footprints", reading)
+    read = _document(root, reading)
     if reading.diagnostics.erroneous:
         raise Faulty(reading.ordered())
     return read
 
 
-def mass_document(root: Element, reading: Reading) -> MassDocument:
+def _document(root: Element, reading: Reading) -> MassDocument:
     """Return a mass document as far as it can be read; its faults are recorded with the reading."""
-    if not root.namespace:
-        hint = f'write <{root.name} xmlns="{NAMESPACE}" ...>'
-        reading.fault("LK101", f"<{root.name}> is of no namespace", root, hint)
     values = reading.values(root, MASS)
     found = _read(root, reading)
     mass = Mass(tuple(part for part, _ in found))

@@ -17,19 +17,28 @@ from layoutkit.documents.grammar import (
     AGAIN,
     BOX,
     CONSTRAINTS,
+    DRAG,
+    EDIT,
     FACADE,
     FOOTPRINT,
+    GRID,
+    GRIDS,
     LAYOUT,
     MASS,
     NAMESPACE,
     PICTURE,
     REGION,
+    REGION_SIZE,
+    RESIZE,
+    SESSION,
     SIZE,
     ElementType,
 )
 from layoutkit.documents.tree import Element
 
-_ELEMENTS = {t.name for t in (FACADE, LAYOUT, MASS, PICTURE, REGION, AGAIN, CONSTRAINTS, BOX, FOOTPRINT)}
+_DOCUMENTS = (FACADE, LAYOUT, MASS, SESSION)
+_PARTS = (PICTURE, REGION, AGAIN, CONSTRAINTS, GRIDS, GRID, BOX, FOOTPRINT, EDIT, RESIZE, DRAG, REGION_SIZE)
+_ELEMENTS = {declared.name for declared in (*_DOCUMENTS, *_PARTS)}
 _INSTANCE = "http://www.w3.org/2001/XMLSchema-instance"
 #: Where an editor finds the schema: allowed on every element, and not for us to read.
 _SCHEMA_LOCATIONS = {f"{{{_INSTANCE}}}schemaLocation", f"{{{_INSTANCE}}}noNamespaceSchemaLocation"}

@@ -7,7 +7,7 @@ can say (sizes that add up, names that exist), the reader says alone.
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from layoutkit.constraints import Constraint
 from layoutkit.constraints.attributes import AttributeType
@@ -16,19 +16,29 @@ from layoutkit.documents.grammar import (
     AGAIN,
     BOX,
     CONSTRAINTS,
+    DRAG,
+    EDIT,
     FACADE,
     FOOTPRINT,
+    GRID,
+    GRIDS,
     LAYOUT,
     LAYOUT_MASS,
     MASS,
     NAMESPACE,
     PICTURE,
     REGION,
+    REGION_SIZE,
+    RESIZE,
     ROOT_REGION,
+    SESSION,
     ElementType,
 )
 from layoutkit.documents.kinds import Kinds, declared
 
+_MASS_PARTS, _STEPS = (BOX, FOOTPRINT), (EDIT, RESIZE, DRAG, REGION_SIZE)
+#: Of what need not be there.
+_NONE = {"minOccurs": "0"}
 _NAMESPACES = {
     "xmlns:xs": "http://www.w3.org/2001/XMLSchema",
     "xmlns": NAMESPACE,
@@ -38,7 +48,7 @@ _NAMESPACES = {
 
 
 def schemas(kinds: Kinds) -> Mapping[str, bytes]:
-    """Return the schema of facade, layout and mass documents: one file a namespace, by its name.
+    """Return the schema of all kinds of documents: one file a namespace, by its name.
 
     The first one, ``layoutkit.xsd``, imports the others, which hold the constraints of plugins and are named
     by the prefixes of these.
@@ -55,7 +65,7 @@ def schema(kinds: Kinds) -> bytes:
     """Return the schema of documents alone; those of plugins' constraints are imported by their files."""
     foreign = _foreign(kinds)
     root = ET.Element("xs:schema", {**_NAMESPACES, **{f"xmlns:{own.prefix}": own.uri for own in foreign}})
-    _explain(root, "Facade, layout and mass documents of layoutkit.")
+    _explain(root, "Facade, layout, mass and session documents of layoutkit.")
     for own in foreign:
         _add(root, "import", namespace=own.uri, schemaLocation=_file(own))
     for document in (FACADE, LAYOUT):
@@ -67,11 +77,14 @@ def schema(kinds: Kinds) -> bytes:
         if document is FACADE:
             name = CONSTRAINTS.name
             _explained(parts, "element", CONSTRAINTS.help, name=name, type="Constraints", minOccurs="0")
-    alone = _add(_explained(root, "element", MASS.help, name=MASS.name), "complexType")
-    _add_parts(alone)
-    _add_attributes(alone, MASS)
+            _explained(parts, "element", GRIDS.help, name=GRIDS.name, type="Grids", minOccurs="0")
+    for document, inside, least in ((MASS, _MASS_PARTS, {}), (SESSION, _STEPS, _NONE)):
+        whole = _add(_explained(root, "element", document.help, name=document.name), "complexType")
+        _add_some(whole, inside, **least)
+        _add_attributes(whole, document)
     _add_attributes(_add(root, "complexType", name="Picture"), PICTURE)
-    _add_parts(_add(root, "complexType", name="Mass"))
+    _add_some(_add(root, "complexType", name="Mass"), _MASS_PARTS)
+    _add_some(_add(root, "complexType", name="Grids"), (GRID,), **_NONE)
     for name, region in (("RootRegion", ROOT_REGION), ("Region", REGION)):
         _add_children(_add(root, "complexType", name=name), region)
     _add_attributes(_add(root, "complexType", name="Again"), AGAIN)
@@ -151,12 +164,12 @@ def _add_children(region: ET.Element, known: ElementType) -> None:
     _add_attributes(region, known)
 
 
-def _add_parts(mass: ET.Element) -> None:
-    """Declare what a mass holds: boxes and footprints, at least one."""
-    some = _add(mass, "choice", maxOccurs="unbounded")
-    for part in (BOX, FOOTPRINT):
-        element = _explained(some, "element", part.help, name=part.name)
-        _add_attributes(_add(element, "complexType"), part)
+def _add_some(parent: ET.Element, kinds: Iterable[ElementType], **least: str) -> None:
+    """Declare that an element holds elements of some kinds in any order, at least one if nothing is said."""
+    some = _add(parent, "choice", **least, maxOccurs="unbounded")
+    for kind in kinds:
+        element = _explained(some, "element", kind.help, name=kind.name)
+        _add_attributes(_add(element, "complexType"), kind)
 
 
 def _add_attributes(element: ET.Element, known: ElementType) -> None:

@@ -17,6 +17,7 @@ from layoutkit.documents.makers import Maker, Numbers
 from layoutkit.documents.masses import is_mass, read_mass
 from layoutkit.documents.places import places
 from layoutkit.documents.reading import in_order
+from layoutkit.documents.sessions import is_session, read_session
 from layoutkit.documents.source import Source
 from layoutkit.documents.tree import Element
 from layoutkit.model import Layout, Violation
@@ -44,6 +45,8 @@ def check(document: Path | str | Source, kinds: Kinds) -> list[Diagnostic]:
             return list(in_order(d for part in fragments(source) for d in check(part, kinds)))
         if is_mass(source):
             return list(read_mass(source).diagnostics)
+        if is_session(source):
+            return list(read_session(source, kinds).diagnostics)
         opened = open_document(source, kinds, _making)
         found = list(opened.diagnostics)
         if isinstance(opened.model, Layout) and worst(found) is not Severity.ERROR:

@@ -8,13 +8,16 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from layoutkit.constraints import Constraint
 from layoutkit.constraints.namespace import CORE, Namespace
 from layoutkit.diagnostics import Diagnostic, Faulty
-from layoutkit.documents.grammar import NAMESPACE
+from layoutkit.documents.grammar import GRID, NAMESPACE
+from layoutkit.documents.grids import grid_attributes
 from layoutkit.documents.masses import part_fields
+from layoutkit.documents.sessions import step_fields
 from layoutkit.documents.tree import comment_lines
-from layoutkit.model import Facade, Layout, Mass, Picture, Region, Split
+from layoutkit.model import Facade, Grid, Layout, Mass, Picture, Region, Split
 from layoutkit.model.facade import Units
 from layoutkit.model.measure import format_number
 from layoutkit.model.region import TILING_TOLERANCE
+from layoutkit.model.session import Session, Step
 
 _DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>'
 INDENT = "  "
@@ -46,6 +49,9 @@ def facade_bytes(facade: Facade) -> bytes:
         lines += [f"{INDENT}<constraints>"]
         lines += [INDENT * 2 + line for line in constraint_lines(facade.constraints, declared=declared)]
         lines += [f"{INDENT}</constraints>"]
+    if facade.grids:
+        lines += [f"{INDENT}<grids>", *(INDENT * 2 + line for line in grid_lines(facade.grids))]
+        lines += [f"{INDENT}</grids>"]
     return _document(lines, "facade")
 
 
@@ -85,6 +91,33 @@ def mass_bytes(mass: Mass, name: str, units: Units) -> bytes:
     return _document([f"<{_joined('mass', head)}>", *_part_lines(mass)], "mass")
 
 
+def session_bytes(session: Session) -> bytes:
+    """Return a session's document.
+
+    Raises
+    ------
+    Faulty
+        If a name holds a character that XML cannot (LK009).
+    """
+    head = {
+        "xmlns": NAMESPACE,
+        "name": session.name,
+        "facade": session.facade_file,
+        "done": len(session.done) if session.undone else None,
+    }
+    steps = (INDENT + line for line in map(_step_line, session.steps))
+    return _document([f"<{_joined('session', head)}>", *steps], "session")
+
+
+def _step_line(step: Step) -> str:
+    declared, fields = step_fields(step)
+    shown = {
+        name: format_number(value) if isinstance(value, float) else declared.attributes[name].type.text(value)
+        for name, value in fields.items()
+    }
+    return f"<{_joined(declared.name, shown)}/>"
+
+
 def constraint_lines(
     constraints: Iterable[Constraint], prefix: str = "", declared: Collection[Namespace] = ()
 ) -> Iterator[str]:
@@ -110,6 +143,18 @@ def constraint_lines(
         }
         name = prefix + constraint.kind if own == CORE else constraint.qualified_name()
         yield f"<{_joined(name, {**declaration, **shown})}/>"
+
+
+def grid_lines(grids: Iterable[Grid], prefix: str = "") -> Iterator[str]:
+    """Yield the lines of grid elements.
+
+    Parameters
+    ----------
+    prefix
+        Of the documents' namespace, with its colon, where it is not the default one.
+    """
+    for grid in grids:
+        yield f"<{_joined(prefix + GRID.name, grid_attributes(grid))}/>"
 
 
 def _declarations(namespaces: Iterable[Namespace]) -> dict[str, str]:

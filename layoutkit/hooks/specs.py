@@ -7,7 +7,7 @@ that implements some of the hooks of `Hooks`, each marked with `hookimpl`. Every
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
@@ -19,7 +19,7 @@ from layoutkit.diagnostics.origin import PROJECT
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
-    from layoutkit.model import Count, Facade, Layout
+    from layoutkit.model import Count, DroppedEdit, Facade, Layout, ProposedEdit
     from layoutkit.model.conflict import Explanation
     from layoutkit.sizing.qp import Backend
 
@@ -50,6 +50,11 @@ class Outcome:
         Why there is no document, with the layout that comes nearest, where a stage looks for that.
     count
         How many arrangements there are, where a stage counts them.
+    proposal
+        The edit that leads to the document, or that comes to nothing, where a stage proposes edits.
+    origins
+        Of an edited facade: for each terminal, by its unique path, the unique path in the facade that editing
+        began with of what its picture is taken from.
     """
 
     status: Status
@@ -58,6 +63,8 @@ class Outcome:
     seconds: float = 0.0
     explanation: Explanation | None = None
     count: Count | None = None
+    proposal: ProposedEdit | DroppedEdit | None = None
+    origins: Mapping[str, str] | None = None
 
 
 class Stage(ABC):

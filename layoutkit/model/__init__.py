@@ -6,11 +6,14 @@ from layoutkit.model.count import Count
 from layoutkit.model.extent import Extent
 from layoutkit.model.facade import Facade, Picture
 from layoutkit.model.face import Face
+from layoutkit.model.grid import Grid
 from layoutkit.model.layout import Layout, Violation
 from layoutkit.model.mass import Block, Footprint, Mass, Part
 from layoutkit.model.measure import Measure
+from layoutkit.model.proposal import DroppedEdit, ProposedEdit
 from layoutkit.model.region import Fill, PlacedRegion, Region, Split, place
 from layoutkit.model.selection import RegionSet
+from layoutkit.model.session import Drag, Edit, RegionSize, Resize, Session, Step
 from layoutkit.model.word import END, START, Word
 
 __all__ = [
@@ -20,20 +23,29 @@ __all__ = [
     "Box",
     "Building",
     "Count",
+    "Drag",
+    "DroppedEdit",
+    "Edit",
     "Extent",
     "Facade",
     "Face",
     "Fill",
     "Footprint",
+    "Grid",
     "Layout",
     "Mass",
     "Measure",
     "Part",
     "Picture",
     "PlacedRegion",
+    "ProposedEdit",
     "Region",
     "RegionSet",
+    "RegionSize",
+    "Resize",
+    "Session",
     "Split",
+    "Step",
     "Violation",
     "Word",
     "place",

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from layoutkit.model.box import Box
+from layoutkit.model.grid import Grid
 from layoutkit.model.region import PlacedRegion, Region, place
 from layoutkit.model.selection import RegionSet
 
@@ -47,6 +48,8 @@ class Facade:
         In document order.
     building
         What a building's facade was made from; its root is split into faces, each a copy of one design.
+    grids
+        Elements that are edited together, in document order.
     """
 
     name: str
@@ -55,6 +58,7 @@ class Facade:
     picture: Picture | None = None
     constraints: tuple[Constraint, ...] = ()
     building: Building | None = None
+    grids: tuple[Grid, ...] = ()
 
     @cached_property
     def faces(self) -> Mapping[str, Box]:

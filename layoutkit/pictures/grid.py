@@ -9,6 +9,8 @@ from layoutkit.model import Box
 
 #: left, top, right, bottom in whole pixels, y down.
 Cell = tuple[int, int, int, int]
+#: What is marked is at least so many pixels wide and high.
+LEAST = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +45,11 @@ class PixelGrid:
             _nearest(box.x1 * across),
             _nearest((self.height - box.y0) * down),
         )
+
+    def visible(self, box: Box) -> Cell:
+        """Return the pixels of a box, at least a few, so that what nearly vanished can be marked as well."""
+        left, top, right, bottom = self.cell(box)
+        return left, top, max(right, left + LEAST), max(bottom, top + LEAST)
 
 
 def _nearest(value: float) -> int:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from layoutkit.model import Facade, Layout, PlacedRegion, place
 from layoutkit.pictures.grid import Cell, PixelGrid
 from layoutkit.pictures.palette import colour_of, darker
 from layoutkit.pictures.photo import Photo
-from layoutkit.pictures.sources import sources
+from layoutkit.pictures.sources import known_sources, sources
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -26,17 +27,24 @@ LONGEST = 4096
 
 
 def render_png(
-    document: Facade | Layout, photo: Photo | None = None, *, scale: float = 1.0, longest: int = LONGEST
+    document: Facade | Layout,
+    photo: Photo | None = None,
+    *,
+    origins: Mapping[str, str] | None = None,
+    scale: float = 1.0,
+    longest: int = LONGEST,
 ) -> Image:
     """Return a picture of a facade or layout.
 
-    With a photo, each terminal shows the photo's part that `sources` chooses for it, stretched or repeated as
-    its `fill` says; without one, terminals are coloured by label and thinly outlined.
+    With a photo, each terminal shows the photo's part that `origins` name or else `sources` chooses for it,
+    stretched or repeated as its `fill` says; without one, terminals are coloured by label and outlined.
 
     Parameters
     ----------
     photo
-        The photo of the facade that a layout varies.
+        The photo of the facade that a layout varies, or that an edited facade began with.
+    origins
+        Of an edited facade: for each terminal, by its unique path, that of its source in the photo's facade.
     scale
         Pixels a document unit, as a multiple of the photo's own (without one: 50 a metre, 1 a pixel).
     longest
@@ -50,7 +58,9 @@ def render_png(
     grid = _grid(document, photo, scale, longest)
     if photo is None:
         return _by_labels(document, grid)
-    return _by_photo(document, photo, grid)
+    root, facade = document.root, photo.facade
+    pairs = sources(root, facade) if origins is None else known_sources(root, facade, origins)
+    return _by_photo(pairs, photo, grid)
 
 
 def png_bytes(image: Image, level: int = 1) -> bytes:
@@ -74,12 +84,13 @@ def _grid(document: Facade | Layout, photo: Photo | None, scale: float, longest:
     return PixelGrid.at(root.width, root.height, (natural[0] * factor, natural[1] * factor))
 
 
-def _by_photo(document: Facade | Layout, photo: Photo, grid: PixelGrid) -> Image:
+def _by_photo(pairs: Iterable[tuple[PlacedRegion, PlacedRegion]], photo: Photo, grid: PixelGrid) -> Image:
+    """Return a picture of placed terminals, each with its source in the photo's facade."""
     from PIL import Image
 
     canvas = Image.new("RGB", (grid.columns, grid.rows), BACKGROUND)
     made: dict[tuple[str, tuple[int, int]], Image.Image] = {}
-    for placed, source in sources(document.root, photo.facade):
+    for placed, source in pairs:
         left, top, right, bottom = grid.cell(placed.box)
         size = (right - left, bottom - top)
         if min(size) == 0:

@@ -40,6 +40,8 @@ class Exhibit:
         The first line of its caption.
     width, height, units
         The size of what it shows; the caption's second line.
+    remark
+        What else there is to say, at the head of that line.
     """
 
     image: Image
@@ -47,12 +49,13 @@ class Exhibit:
     width: float
     height: float
     units: str
+    remark: str = ""
 
     @property
     def size_text(self) -> str:
-        """Width and height with their units, to three decimals at most."""
+        """The remark, and width and height with their units, to three decimals at most."""
         width, height = (format_number(round(n, 3)) for n in (self.width, self.height))
-        return f"{width} × {height} {self.units}"
+        return ", ".join(filter(None, (self.remark, f"{width} × {height} {self.units}")))
 
 
 def contact_sheet(original: Exhibit, variations: Sequence[Exhibit]) -> Image:

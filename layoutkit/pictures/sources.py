@@ -6,7 +6,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
 from layoutkit.diagnostics import Diagnostic, Faulty, did_you_mean
-from layoutkit.model import Box, Facade, PlacedRegion, Region
+from layoutkit.model import Box, Facade, PlacedRegion, Region, place
 from layoutkit.model.region import place_children
 
 _Children = Mapping[str, Sequence[PlacedRegion]]
@@ -58,6 +58,34 @@ def sources(root: Region, facade: Facade) -> Iterator[tuple[PlacedRegion, Placed
             pairs.append((child, like[seen[symbol] % len(like)]))
             seen[symbol] += 1
         pending.extend(reversed(pairs))
+
+
+def known_sources(
+    root: Region, facade: Facade, origins: Mapping[str, str]
+) -> Iterator[tuple[PlacedRegion, PlacedRegion]]:
+    """Yield every terminal of an edited facade with the place in the original that its picture comes from.
+
+    Parameters
+    ----------
+    root
+        The edited facade's root region.
+    facade
+        What editing began with.
+    origins
+        For each terminal, by its unique path, the unique path of its source.
+
+    Raises
+    ------
+    Faulty
+        If a terminal has no source, or one that the facade lacks (LK501).
+    """
+    there = {placed.path: placed for placed in place(facade.root)}
+    for placed in place(root):
+        if placed.region.terminal:
+            origin = origins.get(placed.path)
+            if origin not in there:
+                raise _unknown(origin or placed.path, placed.path, facade)
+            yield placed, there[origin]
 
 
 def _placed_root(root: Region) -> PlacedRegion:

@@ -119,6 +119,7 @@ def test_inspect_as_json(house: Path, layoutkit: Any) -> None:
         "width": 6.0,
         "height": 4.0,
         "picture": {"file": "photo.png", "box": [0.0, 0.0, 60.0, 40.0]},
+        "grids": [],
     }
     assert [r["path"] for r in regions] == [
         "Facade",
@@ -232,7 +233,7 @@ def test_plugins_names_what_failed(install: Any, layoutkit: Any) -> None:
     install("broken", "1 / 0")
     run = layoutkit("plugins", "--json")
     assert run.code == 5
-    assert [plugin["name"] for plugin in run.data["plugins"]] == ["builtin", "formats", "relayout"]
+    assert [plugin["name"] for plugin in run.data["plugins"]] == ["builtin", "editing", "formats", "relayout"]
     assert [d["code"] for d in run.data["diagnostics"]] == ["LK401"]
     assert "ZeroDivisionError" in run.err
     strict = layoutkit("--strict", "plugins")

@@ -8,7 +8,8 @@ from PIL import Image
 
 from layoutkit.model import Box, Facade, Region
 from layoutkit.pictures import png_bytes
-from layoutkit.pictures.marks import AMBER, MARGIN, NARROWEST, RED, Mark, marked
+from layoutkit.pictures.legend import MARGIN, NARROWEST
+from layoutkit.pictures.marks import AMBER, RED, Mark, marked
 
 GREY = (90, 90, 90)
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from layoutkit.constraints import Alignment, Constraint, Frequency, SameArrangement, SameSize, Sequence, Size
 from layoutkit.constraints.attributes import PATH, REGIONS, attribute
 from layoutkit.constraints.checking import violations
-from layoutkit.constraints.renaming import aliases_of, confined, joins, lifted, mapped, spread
+from layoutkit.constraints.renaming import aliases_of, confined, joins, lifted, mapped, reduced, spread
 from layoutkit.model import Extent, Facade, Layout, Measure, Region, RegionSet, Violation, Word
 
 S, W, E = RegionSet.parse, Word.parse, Extent.parse
@@ -225,3 +225,23 @@ def test_a_moved_constraint_names_nothing_of_the_old_place(constraint: Constrain
     (moved,) = spread(constraint, {"H": ("Building/South",)})
     assert "H/" not in str(moved)
     assert str(moved).replace("Building/South", "H") == str(constraint)
+
+
+def test_sets_lose_what_nothing_goes_by() -> None:
+    left = {"a": ("a",), "b": ("b", "b2"), "c": ()}
+    become = {
+        "a | c": "a",
+        "c | a": "a",
+        "c | c": None,
+        "a & c": None,
+        "c & a": None,
+        "a - c": "a",
+        "c - a": None,
+        "a | (b & c)": "a",
+        "a - (b - c)": "a - (b | b2)",
+        "c | b | a": "b | b2 | a",
+        "(a | c) & b": "a & (b | b2)",
+    }
+    for text, expected in become.items():
+        found = reduced(S(text), left.__getitem__)
+        assert (None if found is None else str(found)) == expected, text

@@ -64,6 +64,13 @@ def test_captions_tell_name_and_size() -> None:
     assert one.tobytes() != other.tobytes()
 
 
+def test_a_remark_stands_before_the_size() -> None:
+    shown = exhibit((1, 2, 3), 8.0, 6.0)
+    assert (
+        Exhibit(shown.image, "test", 8.0, 6.0, "m", "distortion 2.5%").size_text == "distortion 2.5%, 8 × 6 m"
+    )
+
+
 def test_long_names_do_not_run_into_the_neighbour() -> None:
     plain = exhibit((1, 2, 3), 4, 6, 40)
     endless = Exhibit(exhibit((4, 5, 6), 4, 6, 40).image, "x" * 500, 4, 6, "m")

@@ -1,8 +1,9 @@
 """The registry of diagnostic codes: what each means, how it comes about, and what to do.
 
-One file a group: LK0 files and safety, LK1 structure, LK2 references and constraints, LK3 conversion, LK4
-plugins, LK5 layouts against facades, LK6 search, LK7 usage, LK8 masses and buildings, LK9 our own faults. A
-code keeps its meaning for good; retired ones are not given out again. Examples stand in `examples`.
+One file a group: LK0 files and safety, LK1 structure, LK2 references and constraints, LK24 grids, LK3
+conversion, LK4 plugins, LK5 layouts against facades, LK6 search, LK65 editing, LK7 usage, LK8 masses and
+buildings, LK9 our own faults. A code keeps its meaning for good; retired ones are not given out again.
+Examples stand in `examples`.
 """
 
 from __future__ import annotations
@@ -13,7 +14,9 @@ from dataclasses import replace
 from layoutkit.diagnostics.codes import (
     buildings,
     conversion,
+    editing,
     files,
+    grids,
     layouts,
     ours,
     plugins,
@@ -31,10 +34,12 @@ _GROUPS = (
     files,
     structure,
     references,
+    grids,
     conversion,
     plugins,
     layouts,
     search,
+    editing,
     usage,
     buildings,
     ours,

@@ -30,16 +30,17 @@ CODES = (
     Code(
         "LK504",
         "facade not found",
-        "The facade that a layout names is not there: nothing that it asks for was checked.",
-        "A layout moved without its facade, or a misspelt name.",
-        "Put the facade where the layout names it, or correct its facade attribute.",
+        "The facade that a layout or session names is not there. Of a layout, nothing that the facade asks "
+        "for was checked; a session means nothing without it, so there it is an error.",
+        "A document moved without its facade, or a misspelt name.",
+        "Put the facade where the document names it, or correct its facade attribute.",
         Severity.WARNING,
     ),
     Code(
         "LK505",
         "not a facade",
-        "The file that a layout names as its facade is another kind of document.",
-        "The layout's own file named instead.",
+        "The file that a layout or session names as its facade is another kind of document.",
+        "The document's own file named instead.",
         "Name the facade's document.",
     ),
     Code(

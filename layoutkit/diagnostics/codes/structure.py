@@ -7,8 +7,9 @@ from layoutkit.diagnostics.codes.code import Code
 CODES = (
     Code(
         "LK101",
-        "not a facade or layout document",
-        "The root element is neither facade nor layout, or not in the namespace urn:layoutkit:1.",
+        "not a document of layoutkit",
+        "The root element is none of facade, layout, mass and session, is not the one that is wanted, or is "
+        "not in the namespace urn:layoutkit:1.",
         "A document of another format, or a forgotten xmlns.",
         'Write xmlns="urn:layoutkit:1" on the root; `layoutkit convert` reads other formats.',
     ),

@@ -9,29 +9,38 @@ from layoutkit.documents.grammar import (
     AGAIN,
     BOX,
     CONSTRAINTS,
+    DRAG,
+    EDIT,
     FACADE,
     FOOTPRINT,
+    GRID,
+    GRIDS,
     LAYOUT,
     LAYOUT_MASS,
     MASS,
     NAMESPACE,
     PICTURE,
     REGION,
+    REGION_SIZE,
+    RESIZE,
     ROOT_REGION,
+    SESSION,
     ElementType,
 )
 from layoutkit.documents.kinds import Kinds, declared
 from layoutkit.documents.mending.manuscript import Written
 
-ROOTS = {element.name: element for element in (FACADE, LAYOUT, MASS)}
+ROOTS = {element.name: element for element in (FACADE, LAYOUT, MASS, SESSION)}
 #: Declarations hold dictionaries, and so cannot be keys.
 _CHILDREN = (
-    (FACADE, (PICTURE, ROOT_REGION, CONSTRAINTS)),
+    (FACADE, (PICTURE, ROOT_REGION, CONSTRAINTS, GRIDS)),
     (LAYOUT, (PICTURE, LAYOUT_MASS, ROOT_REGION)),
     (MASS, (BOX, FOOTPRINT)),
     (LAYOUT_MASS, (BOX, FOOTPRINT)),
     (ROOT_REGION, (REGION, AGAIN)),
     (REGION, (REGION, AGAIN)),
+    (GRIDS, (GRID,)),
+    (SESSION, (EDIT, RESIZE, DRAG, REGION_SIZE)),
 )
 
 

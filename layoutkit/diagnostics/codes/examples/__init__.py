@@ -10,7 +10,9 @@ from collections.abc import Mapping
 from layoutkit.diagnostics.codes.examples import (
     buildings,
     conversion,
+    editing,
     files,
+    grids,
     layouts,
     plugins,
     references,
@@ -28,10 +30,12 @@ _GROUPS = (
     structure,
     references,
     semantics,
+    grids,
     conversion,
     plugins,
     layouts,
     search,
+    editing,
     usage,
     buildings,
 )

@@ -23,6 +23,10 @@ _HOUSE = """\
   </constraints>
 </facade>
 """
+_CONSTRAINTS = f"<constraints>\n    {GAP}\n  </constraints>"
+_GRIDS = f"<grids>\n    {GAP}\n  </grids>"
+_GRIDDED = _HOUSE.replace(_CONSTRAINTS, _GRIDS)
+_SESSION = '<session xmlns="urn:layoutkit:1" name="house" facade="house.xml">\n  …\n</session>\n'
 _HEAD = '<facade xmlns="urn:layoutkit:1" name="house" units="m">\n  …\n</facade>\n'
 _LAYOUT = '<layout xmlns="urn:layoutkit:1" name="house-1" units="m" facade="house.xml">\n  …\n</layout>\n'
 _MASS = '<mass xmlns="urn:layoutkit:1" name="block" units="m">\n  …\n</mass>\n'
@@ -85,7 +89,46 @@ DOCUMENT = Frame("a document", GAP, "house.xml", "layoutkit validate house.xml")
 FACADE = Frame("a facade", _HEAD, "house.xml", "layoutkit validate house.xml")
 #: Constraints on a house of two floors.
 HOUSE = Frame("the house", _HOUSE, "house.xml", "layoutkit validate house.xml")
-#: The same, when it is varied, counted, or drawn.
+#: Grids of the same house.
+GRIDDED = Frame("the house with grids", _GRIDDED, "house.xml", "layoutkit validate house.xml")
+#: Edits of a grid of the house's piers.
+SESSION = Frame(
+    "a session",
+    _SESSION,
+    "session.xml",
+    "layoutkit validate session.xml",
+    {"house.xml": _GRIDDED.replace(GAP, '<grid name="piers" of="House/Floor/Pier | House/Ground/Pier"/>')},
+)
+_EDITABLE = """\
+<grid name="piers" of="House/Floor/Pier | House/Ground/Pier"/>
+    <grid name="openings" of="@Window | @Door"/>"""
+#: Commands that edit the house, with grids and without.
+EDITING = Frame(
+    "a house to edit",
+    GAP,
+    "",
+    GAP,
+    {
+        "house.xml": _GRIDDED.replace(GAP, _EDITABLE),
+        "bare.xml": _GRIDDED.replace(f"  {_GRIDS}\n", ""),
+    },
+)
+#: Edits that are made again.
+REPLAYED = Frame(
+    "a session, made again",
+    _SESSION,
+    "session.xml",
+    "layoutkit apply session.xml -o edited.xml",
+    {"house.xml": EDITING.beside["house.xml"]},
+)
+#: Constraints on the house, a floor of which is to be added.
+HEIGHTENED = Frame(
+    "the house, to be heightened",
+    _HOUSE.replace("</facade>", f"  {_GRIDS}\n</facade>".replace(GAP, _EDITABLE)),
+    "house.xml",
+    "layoutkit propose house.xml --grid openings --axis rows -o out",
+)
+#: The house, when it is varied, counted, or drawn.
 VARIED = Frame("the house, varied", _HOUSE, "house.xml", "layoutkit vary house.xml -n 1 -o out")
 DRAWN = Frame(
     "a facade, drawn", _HEAD, "house.xml", "layoutkit vary house.xml -n 1 -o out", pictures=("photo.png",)

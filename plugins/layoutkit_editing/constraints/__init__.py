@@ -1,0 +1,1 @@
+"""Constraints of the facade document, respected while it is edited."""

@@ -1,0 +1,291 @@
+"""The editor: proposals, choices, undo and redo; what a graphical front end drives (Dang et al. 2014)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from layoutkit.model import Facade
+from layoutkit.model.session import Drag, Edit, RegionSize, Resize, Session, Side, Step
+from layoutkit.sizing.backends import BACKENDS
+from layoutkit.sizing.threads import single_threaded
+from layoutkit_editing.constraints.arrangements import forbidden
+from layoutkit_editing.constraints.checks import broken
+from layoutkit_editing.constraints.rules import rules
+from layoutkit_editing.constraints.within import sized_within
+from layoutkit_editing.grids.likeness import types
+from layoutkit_editing.moments import Moment
+from layoutkit_editing.natural import with_extents
+from layoutkit_editing.proposing.applying import AXES
+from layoutkit_editing.proposing.proposals import Dropped, Proposal, Wish, lockstep, proposals
+from layoutkit_editing.proposing.settling import Judge, made
+from layoutkit_editing.proposing.signatures import Signatures
+from layoutkit_editing.sizing.dragging import END, START, Handle, Workspace
+from layoutkit_editing.sizing.solving import Unsizable
+from layoutkit_editing.state import State
+from layoutkit_editing.topology.site import Refused
+
+if TYPE_CHECKING:
+    from layoutkit.model.session import Action, Axis
+    from layoutkit.sizing.qp import Backend
+
+#: The axis and the end of a region that a side is, in reading direction.
+SIDES: Mapping[Side, tuple[int, int]] = {
+    "left": (0, START),
+    "right": (0, END),
+    "top": (1, START),
+    "bottom": (1, END),
+}
+
+
+class Editor:
+    """A facade that is edited step by step.
+
+    Every moment follows from the facade and the steps alone: taking a step back and making it again gives the
+    same bytes.
+
+    Parameters
+    ----------
+    facade
+        What editing begins with, its grids among it.
+    backends
+        Solvers of quadratic programs, in the order in which they are asked.
+
+    Raises
+    ------
+    Refused
+        If the facade has faces, which are edited one by one before a mass is dressed in them.
+    """
+
+    def __init__(self, facade: Facade, backends: Sequence[Backend] = BACKENDS) -> None:
+        if facade.root.split == "faces":
+            raise Refused("a building cannot be edited: edit its facade, and put that on the mass again")
+        self._backends = tuple(backends)
+        self._judge = Judge(
+            lambda state: sized_within(state, self._backends),
+            forbidden,
+            lambda state, found: broken(state, found.span),
+        )
+        self._moments = [Moment.first(facade)]
+        self._done: list[Step] = []
+        self._undone: list[Step] = []
+
+    @property
+    def moment(self) -> Moment:
+        """The facade as it is now."""
+        return self._moments[-1]
+
+    @property
+    def facade(self) -> Facade:
+        """The facade as it is now, as a document has it; its picture is still that of the beginning."""
+        return self.moment.facade
+
+    @cached_property
+    def _types(self) -> Sequence[int]:
+        found: list[int] = types(self._moments[0].state.original).tolist()
+        return found
+
+    def session(self, name: str, facade_file: str) -> Session:
+        """Return what was done, to be written down."""
+        return Session(name, facade_file, tuple(self._done), tuple(self._undone))
+
+    def proposals(
+        self,
+        action: Action,
+        axis: Axis,
+        grids: Iterable[str],
+        *,
+        element: str | None = None,
+        width: float | None = None,
+        height: float | None = None,
+    ) -> tuple[Proposal | Dropped, ...]:
+        """Return all that an edit can come to, in a stable order, and what it cannot, with the reasons.
+
+        Parameters
+        ----------
+        grids
+            Names of the active grids: at least one, of the facade as it is now.
+        element
+            The unique path of one element to move, instead of whole lines.
+        width, height
+            What the facade is to measure afterwards; else it grows or shrinks by what comes or goes.
+        """
+        state = self._released(self.moment.state, axis, width, height)
+        moved = None if element is None else (self._node(element), element)
+        wish = Wish(action, axis, tuple(grids), moved, width, height)
+        with single_threaded():
+            return tuple(proposals(state, self.moment.sized.span, wish, self._types, self._judge))
+
+    def take(self, proposal: Proposal) -> None:
+        """Go on with a proposal of the facade as it is now."""
+        self._step(proposal.edit, Moment(proposal.state, proposal.sized))
+
+    def make(self, step: Step) -> None:
+        """Make a step that was recorded.
+
+        Raises
+        ------
+        Refused
+            If that is not possible.
+        """
+        with single_threaded():
+            self._step(step, self._after(step))
+
+    def replay(self, session: Session) -> None:
+        """Make all steps of a session; those that were taken back can be made again.
+
+        Raises
+        ------
+        Unrepeatable
+            If one is not possible; those before it are made.
+        """
+        for step in session.done:
+            try:
+                self.make(step)
+            except Refused as refused:
+                raise Unrepeatable(step, str(refused)) from refused
+        self._undone = list(session.undone)
+
+    def undo(self) -> None:
+        """Take the last step back.
+
+        Raises
+        ------
+        Refused
+            If there is none.
+        """
+        if not self._done:
+            raise Refused("there is nothing to undo")
+        self._moments.pop()
+        self._undone.insert(0, self._done.pop())
+
+    def redo(self) -> None:
+        """Make the step again that was taken back last.
+
+        Raises
+        ------
+        Refused
+            If there is none.
+        """
+        if not self._undone:
+            raise Refused("there is nothing to redo")
+        step, *left = self._undone
+        self.make(step)
+        self._undone = left
+
+    def _step(self, step: Step, moment: Moment) -> None:
+        self._moments.append(moment)
+        self._done.append(step)
+        self._undone.clear()
+
+    def _after(self, step: Step) -> Moment:
+        """Return the moment after a step."""
+        if not isinstance(step, Drag) and any(
+            size is not None and size <= 0 for size in (step.width, step.height)
+        ):
+            raise Refused("sizes have to be above 0")
+        if isinstance(step, Edit):
+            return self._edited(step)
+        if isinstance(step, Drag):
+            return self._dragged(step)
+        state = self.moment.state
+        if isinstance(step, Resize):
+            return self._settled(_resized(state, step))
+        return self._settled(_sized_alone(state, step, self._node(step.region)))
+
+    def _settled(self, state: State) -> Moment:
+        return Moment(state, self._judge.settled(state, ()))
+
+    def _edited(self, edit: Edit) -> Moment:
+        for name in edit.grids:
+            if all(lattice.name != name for lattice in self.moment.state.lattices):
+                raise Refused(f"the facade has no grid {name!r} then")
+        state = self._released(self.moment.state, edit.axis, edit.width, edit.height)
+        signatures = Signatures(self._types, state.tree)
+        groups = lockstep(state, edit.grids, signatures)
+        numbers = {len(edit.source), len(edit.at) or len(edit.to) or len(edit.source)}
+        if edit.element is None and numbers != {len(groups)}:
+            raise Refused(f"its grids are of {len(groups)} kinds, and {sorted(numbers)} numbers are given")
+        element = None if edit.element is None else self._node(edit.element)
+        return Moment(*made(state, self.moment.sized.span, edit, groups, self._judge, element))
+
+    def _node(self, path: str) -> int:
+        """Return the node of a path."""
+        if path not in self.moment.by_path:
+            raise Refused(f"there is no region {path!r}")
+        return self.moment.by_path[path]
+
+    def _released(self, state: State, axis: Axis, width: float | None, height: float | None) -> State:
+        """Return the state before an edit: the facade's extent along its axis is free, or as is asked now."""
+        known = list(state.targets.extents)
+        known[AXES[axis]] = None
+        extents = (width if width is not None else known[0], height if height is not None else known[1])
+        return replace(state, targets=replace(state.targets, extents=extents))
+
+    def _dragged(self, drag: Drag) -> Moment:
+        """Return the moment after a side was dragged: to where it was to go, or as near as it can come."""
+        handle = self.handle(drag.region, drag.side)
+        to = drag.to if handle.axis == 0 else self.moment.sized.extents[1] - drag.to
+        found = self.workspace.drag(handle, to)
+        if isinstance(found, Unsizable):
+            raise Refused(found.reason)
+        return self._settled(_held(self.moment.state, handle, found.place))
+
+    def handle(self, path: str, side: Side) -> Handle:
+        """Return what takes a side of a region up, to be dragged in the `workspace`."""
+        return Handle(self._node(path), *SIDES[side])
+
+    @property
+    def workspace(self) -> Workspace:
+        """The facade as it is now, prepared for many small changes: keep it while a side is dragged."""
+        state = self.moment.state
+        return Workspace(with_extents(state), self._backends, rules(state))
+
+
+class Unrepeatable(Exception):  # noqa: N818  # an answer, told with the step's place
+    """A recorded step cannot be made.
+
+    Attributes
+    ----------
+    step
+        Which.
+    reason
+        Why, in the user's words.
+    """
+
+    def __init__(self, step: Step, reason: str) -> None:
+        super().__init__(reason)
+        self.step, self.reason = step, reason
+
+
+def _resized(state: State, step: Resize) -> State:
+    known = state.targets.extents
+    extents = (
+        step.width if step.width is not None else known[0],
+        step.height if step.height is not None else known[1],
+    )
+    return replace(state, targets=replace(state.targets, extents=extents))
+
+
+def _held(state: State, handle: Handle, place: float) -> State:
+    """Return the state with a side held where it was dragged to."""
+    targets, key = state.targets, (handle.own, handle.axis)
+    if handle.own == state.tree.root and handle.end == END:
+        extents = list(targets.extents)
+        extents[handle.axis] = place
+        targets = replace(targets, extents=(extents[0], extents[1]))
+    elif handle.end == START:
+        targets = replace(targets, starts={**targets.starts, key: place})
+    else:
+        targets = replace(targets, ends={**targets.ends, key: place})
+    return replace(state, targets=targets)
+
+
+def _sized_alone(state: State, step: RegionSize, own: int) -> State:
+    sizes = dict(state.targets.sizes)
+    for axis, size in enumerate((step.width, step.height)):
+        if size is not None:
+            sizes[own, axis] = size
+    return replace(state, targets=replace(state.targets, sizes=sizes))

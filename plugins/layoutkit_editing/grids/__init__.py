@@ -1,0 +1,1 @@
+"""Grids: like elements, grids among them, grids alike, grids within grids."""

@@ -1,0 +1,1 @@
+"""The stages of editing: grids are found, proposals made, and sessions made again."""
