@@ -19,6 +19,7 @@ from layoutkit_editing.grids.likeness import types
 from layoutkit_editing.moments import Moment
 from layoutkit_editing.natural import with_extents
 from layoutkit_editing.proposing.applying import AXES
+from layoutkit_editing.proposing.clustering import ordered
 from layoutkit_editing.proposing.proposals import Dropped, Proposal, Wish, lockstep, proposals
 from layoutkit_editing.proposing.settling import Judge, made
 from layoutkit_editing.proposing.signatures import Signatures
@@ -117,6 +118,14 @@ class Editor:
         wish = Wish(action, axis, tuple(grids), moved, width, height)
         with single_threaded():
             return tuple(proposals(state, self.moment.sized.span, wish, self._types, self._judge))
+
+    def ordered(self, found: Sequence[Proposal]) -> Sequence[tuple[Proposal, int]]:
+        """Return proposals of the facade as it is now, those to show first in front, each with its group.
+
+        Groups are of like structure: one of each comes before a second one of any.
+        """
+        state = self.moment.state
+        return ordered(state, found, Signatures(self._types, state.tree))
 
     def take(self, proposal: Proposal) -> None:
         """Go on with a proposal of the facade as it is now."""

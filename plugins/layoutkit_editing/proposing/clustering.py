@@ -7,7 +7,8 @@ clustering by it (Dang et al. 2014, section 7).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
     from layoutkit_editing.proposing.proposals import Proposal
     from layoutkit_editing.proposing.signatures import Signatures
+    from layoutkit_editing.state import Lattice, State
 
     Floats = NDArray[np.float64]
 
@@ -26,22 +28,32 @@ if TYPE_CHECKING:
 MOST = 6
 #: How much spacing counts beside the order of what is spaced.
 SPACING = 0.25
+#: Distortions that agree to so many decimals are about the same.
+ABOUT = 2
 #: Stands behind the end of a grid's lines.
 _NOTHING = -2
 
 
-def ordered(proposals: Sequence[Proposal], signatures: Signatures) -> list[tuple[Proposal, int]]:
+def ordered(
+    before: State, proposals: Sequence[Proposal], signatures: Signatures
+) -> list[tuple[Proposal, int]]:
     """Return proposals in the order in which to show them, each with the number of its group.
 
-    Groups are numbered by their least distorted proposal. Of each group in turn the least distorted one is
-    shown, then the next of each, and so on; ties go by the order given.
+    Better are those that distort less; of those that distort about as much, those in which fewer lines stand
+    beside others than they did: a copy of the ground floor is rather a second ground floor than an attic.
+    Groups are numbered by their best proposal. Of each group in turn the best one is shown, then the next
+    of each, and so on; ties go by the order given.
 
     Parameters
     ----------
     signatures
         Of the facade before the edit.
     """
-    best = sorted(proposals, key=lambda each: round(each.sized.distortion, 6))
+    ranked = [
+        (round(each.sized.distortion, ABOUT), _news(before, each, signatures), each.sized.distortion, number)
+        for number, each in enumerate(proposals)
+    ]
+    best = [proposals[number] for *_, number in sorted(ranked)]
     groups = _grouped(differences(best, signatures))
     numbers: dict[int, int] = {}
     seen: dict[int, int] = {}
@@ -51,6 +63,21 @@ def ordered(proposals: Sequence[Proposal], signatures: Signatures) -> list[tuple
         seen[number] = seen.get(number, -1) + 1
         ranks.append((seen[number], number, place))
     return [(best[place], number) for _, number, place in sorted(ranks)]
+
+
+def _news(before: State, proposal: Proposal, signatures: Signatures) -> int:
+    """Return how many lines of edited grids stand beside lines unlike those that like ones stood beside."""
+    edit, count = proposal.edit, 0
+    known = signatures.all_of(proposal.state.tree)
+    for name in edit.grids:
+        seen = set(pairwise(_looks(before.lattice(name), AXES[edit.axis], known)))
+        beside = pairwise(_looks(proposal.state.lattice(name), AXES[edit.axis], known))
+        count += sum(pair not in seen for pair in beside)
+    return count
+
+
+def _looks(lattice: Lattice, axis: int, known: Mapping[int, int]) -> list[tuple[int | None, ...]]:
+    return [tuple(None if own is None else known[own] for own in line) for line in lattice.lines(axis)]
 
 
 def _grouped(distances: Floats) -> list[int]:

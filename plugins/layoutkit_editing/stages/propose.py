@@ -137,23 +137,13 @@ def _outcomes(
     kept = [each for each in found if not isinstance(each, Dropped)]
     lost = [DroppedEdit(each.edit, each.reason) for each in found if isinstance(each, Dropped)]
     before = editor.moment.state
-    for proposal, cluster in _ordered(editor, kept):
+    for proposal, cluster in editor.ordered(kept):
         yield _proposed(before, proposal, cluster, seconds / len(kept))
     notes = tuple(_notes(lost)) if kept else ()
     for number, dropped in enumerate(lost, 1):
         yield Outcome("infeasible", None, notes if number == len(lost) else (), proposal=dropped)
     if not kept:
         yield Outcome("infeasible", None, (_nothing(options, [*map(_line, _folded(lost))]),), seconds)
-
-
-def _ordered(editor: Editor, found: Sequence[Proposal]) -> Sequence[tuple[Proposal, int]]:
-    """Return proposals in the order in which to show them, each with the number of its group."""
-    from layoutkit_editing.grids.likeness import types
-    from layoutkit_editing.proposing.clustering import ordered
-    from layoutkit_editing.proposing.signatures import Signatures
-
-    state = editor.moment.state
-    return ordered(found, Signatures(types(state.original).tolist(), state.tree))
 
 
 def _proposed(before: State, proposal: Proposal, cluster: int, seconds: float) -> Outcome:
