@@ -25,15 +25,17 @@ from layoutkit.cli.editing import (
     edited_picture,
     from_folder,
     keep,
+    keep_others,
     made_again,
     misused,
     read_subject,
+    shown_size,
     step_data,
     with_found_grids,
 )
 from layoutkit.cli.exits import EXITS
 from layoutkit.cli.options import Json, finite
-from layoutkit.cli.propose import proposals
+from layoutkit.cli.propose import notes, proposals
 from layoutkit.cli.render import photo_of
 from layoutkit.cli.session import Session
 from layoutkit.cli.steps import Dragged, RegionSized
@@ -165,7 +167,11 @@ class _Targets:
         return None if self.output is None else self.output.with_suffix(".png")
 
     def check(self, subject: Subject, file: Path) -> None:
-        """Raise what keeps the files from being written: nothing that is read may be written over."""
+        """Raise what keeps the files from being written: nothing may be lost.
+
+        What is read is not written over, but for the session that goes on; nor is what others wrote: a
+        session, or anything else that is no facade.
+        """
         if self.output is None and self.edits is None:
             hint = "name the edited facade's file with -o, or the session's with --session"
             raise misused("nothing would be written", hint)
@@ -175,6 +181,18 @@ class _Targets:
         keep(self.output, [*inputs, file, *([self.edits] if self.edits else [])])
         keep(self.picture, [*inputs, file])
         keep(self.edits, inputs)
+        if self.output is not None and not _is_facade(self.output):
+            keep_others(self.output, "it is no facade that was written before: name another file with -o")
+        if self.edits is not None and self.edits.resolve() != file.resolve():
+            going_on = f"to go on from it, name it first: layoutkit apply {self.edits} ..."
+            keep_others(self.edits, f"{going_on}; else name another file with --session")
+
+
+def _is_facade(file: Path) -> bool:
+    """Tell whether there is a facade's document in a file."""
+    from layoutkit.documents import is_facade
+
+    return file.is_file() and is_facade(file)
 
 
 @dataclass(frozen=True)
@@ -230,13 +248,15 @@ def _taken(session: Session, subject: Subject, wish: Wish, number: int, recorded
 
     if not recorded:
         subject = with_found_grids(session, subject)
-    found, _ = proposals(session, subject, wish.options())
+    found, others = proposals(session, subject, wish.options())
     if not found:
+        session.report(notes(others))
         return _Made(subject, Outcome("infeasible", None), subject.edits, None)
     if number > len(found):
         message = f"no proposal has the number {number}: there are {len(found)}"
         raise misused(message, "`layoutkit propose` with the same options shows them")
     outcome = found[number - 1]
+    session.report(outcome.diagnostics)
     assert isinstance(outcome.proposal, ProposedEdit)
     edit = outcome.proposal.edit
     return _Made(subject, outcome, subject.edits.taking(edit), edit)
@@ -281,12 +301,18 @@ def _lines(made: _Made, targets: _Targets) -> Iterable[str]:
     facade = made.outcome.document
     assert isinstance(facade, Facade)
     if targets.output is not None:
-        what = f"{told(made.step)}: " if made.step is not None and made.step in made.edits.done else ""
-        yield f"{targets.output}: {what}{facade.root.width:.6g} × {facade.root.height:.6g} {facade.units}"
+        what = f"{_done(made.step, made.outcome)}: " if made.step and made.step in made.edits.done else ""
+        width, height = (shown_size(size, facade.units) for size in (facade.root.width, facade.root.height))
+        yield f"{targets.output}: {what}{width} × {height} {facade.units}"
     if targets.edits is not None:
         count = len(made.edits.done)
         back = f", {len(made.edits.undone)} taken back" if made.edits.undone else ""
         yield f"{targets.edits}: {count} edit{'s' * (count != 1)} in force{back}"
+
+
+def _done(step: Step, outcome: Outcome) -> str:
+    """Return what a step did: what was asked for, or as much of it as was reached."""
+    return "; ".join(d.message for d in outcome.diagnostics if d.code == "LK659") or told(step)
 
 
 def _as_data(session: Session, made: _Made, targets: _Targets) -> dict[str, Any]:

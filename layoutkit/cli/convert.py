@@ -13,8 +13,9 @@ import typer
 from layoutkit.cli import console
 from layoutkit.cli.exits import exit_of
 from layoutkit.cli.options import FacadeOutput, Json
+from layoutkit.cli.recognising import recognising
 from layoutkit.cli.session import Session
-from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity, blame
+from layoutkit.diagnostics import Diagnostic, Faulty, Place, blame
 from layoutkit.model import Facade, place
 
 if TYPE_CHECKING:
@@ -27,9 +28,6 @@ Examples:
 
 - `layoutkit convert mask.png --image photo.jpg --format mask -o house.xml`
 """
-
-#: How much of a file a format may look at to recognise it.
-_HEAD = 4096
 
 
 def convert(
@@ -94,25 +92,14 @@ def _format(annotation: Path, name: str | None, session: Session) -> Format:
     """Return the format of that name, or else the one that recognises the file."""
     from layoutkit.documents import load
 
-    head, formats = load(annotation)[:_HEAD], session.host.formats
+    formats = session.host.formats
     if name is not None:
+        load(annotation)  # whether it can be read is said first
         return formats.find(name)
-    fitting = [own for own in formats.values() if _recognises(own, annotation, head, session)]
+    fitting = recognising(session, annotation)
     if len(fitting) == 1:
         return fitting[0]
     raise Faulty([_undecided(annotation, fitting or list(formats.values()), bool(fitting))])
-
-
-def _recognises(candidate: Format, annotation: Path, head: bytes, session: Session) -> bool:
-    """Tell whether a format recognises a file; one that fails to is named, and does not."""
-    try:
-        return bool(candidate.recognises(annotation, head))
-    except blame.ANYTHING as error:  # others may know the file all the same
-        failed = blame.diagnosed(error, type(candidate), f"the format {candidate.name!r}")
-        if session.severity is Severity.ERROR:
-            raise
-        session.report([failed])
-        return False
 
 
 def _undecided(annotation: Path, choice: Sequence[Format], fitting: bool) -> Diagnostic:

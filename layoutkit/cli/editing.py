@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
     from layoutkit.hooks import Outcome
-    from layoutkit.model import Grid
+    from layoutkit.model import Grid, Piece
     from layoutkit.pictures import Photo
 
 
@@ -147,11 +147,20 @@ def read_subject(session: Session, file: Path, command: str) -> Subject:
 
 
 def with_found_grids(session: Session, subject: Subject) -> Subject:
-    """Return a facade with the grids that its regularity suggests, where it has none."""
+    """Return a facade with the grids that its regularity suggests, where it has none.
+
+    Raises
+    ------
+    Faulty
+        If none are found (LK652).
+    """
     from layoutkit import documents
 
-    if subject.facade.grids or subject.edits.steps or not (found := found_grids(session, subject.facade)):
+    if subject.facade.grids or subject.edits.steps:
         return subject
+    if not (found := found_grids(session, subject.facade)):
+        hint = f"name the elements of one: `layoutkit grids {subject.file} --like PATH -o OUT.xml`"
+        raise Faulty([_no_grids(subject.file, "no grid is found in the facade, and edits go by grids", hint)])
     session.report(
         [
             Diagnostic(
@@ -166,6 +175,17 @@ def with_found_grids(session: Session, subject: Subject) -> Subject:
     )
     source = documents.with_grids(subject.source, found)
     return replace(subject, source=source, facade=replace(subject.facade, grids=found))
+
+
+def check_grids(subject: Subject) -> None:
+    """Raise `Faulty` if the facade has no grids that edits could go by."""
+    if not subject.facade.grids:
+        hint = f"`layoutkit grids {subject.file} -o OUT.xml` finds some; then begin with OUT.xml"
+        raise Faulty([_no_grids(subject.file, "the facade has no grids, and edits go by them", hint)])
+
+
+def _no_grids(file: Path, message: str, hint: str) -> Diagnostic:
+    return Diagnostic("LK652", message, Place(str(file)), hint, topic="editing")
 
 
 def found_grids(session: Session, facade: Facade, **options: Any) -> tuple[Grid, ...]:
@@ -226,7 +246,7 @@ def edited_bytes(facade: Facade, image: Image, file: str | None) -> bytes:
 
 
 def edited_picture(
-    facade: Facade, photo: Photo | None, origins: Mapping[str, str] | None, scale: float
+    facade: Facade, photo: Photo | None, origins: Mapping[str, tuple[Piece, ...]] | None, scale: float
 ) -> Image:
     """Return the picture of an edited facade, every region taken from where it was copied."""
     from layoutkit.pictures import render_png
@@ -234,10 +254,22 @@ def edited_picture(
     return render_png(facade, photo, origins=origins, scale=scale)
 
 
+def shown_size(size: float, units: str) -> str:
+    """Return a size as people read it: of a pixel, a tenth is enough."""
+    return f"{round(size, 1) if units == 'px' else size:.6g}"
+
+
 def keep(target: Path | None, others: Iterable[Path]) -> None:
     """Raise `Faulty` if one of some files would be written over."""
     if target is not None and any(target.resolve() == other.resolve() for other in others):
         message, hint = "this file would be written over", "give what is written another name"
+        raise Faulty([Diagnostic("LK704", message, Place(str(target)), hint, topic="usage")])
+
+
+def keep_others(target: Path | None, hint: str) -> None:
+    """Raise `Faulty` if there is a file of a name already."""
+    if target is not None and target.is_file():
+        message = "this file is there already, and would be written over"
         raise Faulty([Diagnostic("LK704", message, Place(str(target)), hint, topic="usage")])
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -29,6 +29,8 @@ Examples:
 
 - `layoutkit grids house.xml -o house-grids.xml --picture grids.png`
 
+- `layoutkit grids house.xml --like Facade/Floor/Window -o windows.xml`
+
 - `layoutkit grids house.xml --like Facade/Floor/Window/Pane --like Facade/Floor/Window/Pane.2 -o panes.xml`
 """
 
@@ -51,8 +53,8 @@ def grids(
         typer.Option(
             "--like",
             metavar="PATH",
-            help="A region of a grid that you know; given for all of its regions, it and grids like it are "
-            "found, and no others.",
+            help="A region of a grid that you know. Alone: it and all regions like it are one. Given for all "
+            "its regions: it and grids like it are found.",
         ),
     ] = None,
     count: Annotated[
@@ -70,8 +72,9 @@ def grids(
     """Find grids: regions that belong together in rows and columns.
 
     Lists those of the document, then those that are found, the most useful first: rows, columns, phantoms
-    where elements are missing, and whether they are regular, that is, like elements evenly spaced. With -o
-    those found are added to the document, where all else stays as it is; delete what you do not need.
+    where elements are missing, and whether they are regular, that is, like elements evenly spaced; with
+    --like, only what it asks for. With -o those found are added to the document, where all else stays as it
+    is; delete what you do not need.
     """
     session = Session.of(context)
     document, facade = session.read_facade(facade_file, "grids")
@@ -83,7 +86,7 @@ def grids(
 
         source = with_grids(document.source, found)
         session.write(output, moved(source, facade_file.parent, output.parent))
-    shown = replace(facade, grids=(*facade.grids, *found))
+    shown = replace(facade, grids=(*_known(facade, chosen, found), *found))
     if picture is not None:
         session.write(picture, _sheet(shown, facade_file.parent))
     session.report()
@@ -96,6 +99,18 @@ def grids(
         for line in _lines(shown, found, output):
             console.say(line)
     return 0
+
+
+def _known(facade: Facade, chosen: Collection[str], found: Sequence[Grid]) -> Iterator[Grid]:
+    """Yield the grids of a document that are to be listed.
+
+    Where regions were chosen, that is the grids that hold them, if none was found that does.
+    """
+    if chosen and found:
+        return
+    for grid in facade.grids:
+        if {placed.path for placed in grid.members(facade)}.issuperset(chosen):
+            yield grid
 
 
 def _check(paths: Sequence[str], facade: Facade) -> None:

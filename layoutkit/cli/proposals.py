@@ -171,4 +171,7 @@ class ProposalFolder:
 def _exhibit(image: Image, name: str, facade: Facade, remark: str = "") -> Exhibit:
     from layoutkit.pictures import Exhibit
 
-    return Exhibit(image, name, facade.root.width, facade.root.height, facade.units, remark)
+    # Of pixels, the caption has tenths.
+    digits = 1 if facade.units == "px" else 6
+    width, height = (round(size, digits) for size in (facade.root.width, facade.root.height))
+    return Exhibit(image, name, width, height, facade.units, remark)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -20,6 +21,7 @@ from layoutkit.cli.editing import (
     Removing,
     Subject,
     Wish,
+    check_grids,
     keep,
     made_again,
     read_subject,
@@ -94,7 +96,9 @@ def propose(
     subject = with_found_grids(session, read_subject(session, file, "propose"))
     refuse_own_input(subject.file, output, "proposals")
     keep(output / SESSION_FILE, [file])
-    found, lost = proposals(session, subject, options)
+    found, others = proposals(session, subject, options)
+    session.report(notes([*found, *others]))
+    lost = [own.proposal for own in others if isinstance(own.proposal, DroppedEdit)]
     shown = len(found) if count is None else min(count, len(found))
     session.report(_left_out(len(found), shown))
     written = _written(session, subject, options, output, found, shown, scale) if found else []
@@ -116,16 +120,25 @@ def propose(
 
 def proposals(
     session: Session, subject: Subject, options: dict[str, Any]
-) -> tuple[list[Outcome], list[DroppedEdit]]:
-    """Return what the stage `propose` makes of a facade, in its order, and what it dropped."""
-    found, lost = [], []
+) -> tuple[list[Outcome], list[Outcome]]:
+    """Return the proposals that the stage `propose` makes of a facade, and its other outcomes, in its order.
+
+    Raises
+    ------
+    Faulty
+        If the facade has no grids (LK652), or what is asked for is not there.
+    """
+    check_grids(subject)
+    found: list[Outcome] = []
+    others: list[Outcome] = []
     for outcome in session.run("propose", subject.facade, session=subject.edits, **options):
-        session.report(outcome.diagnostics)
-        if isinstance(outcome.proposal, ProposedEdit):
-            found.append(outcome)
-        elif outcome.proposal is not None:
-            lost.append(outcome.proposal)
-    return found, lost
+        (found if isinstance(outcome.proposal, ProposedEdit) else others).append(outcome)
+    return found, others
+
+
+def notes(outcomes: Iterable[Outcome]) -> Iterator[Diagnostic]:
+    """Yield what there is to say of some outcomes."""
+    return chain.from_iterable(outcome.diagnostics for outcome in outcomes)
 
 
 def _written(

@@ -15,6 +15,7 @@ import typer
 
 from layoutkit.cli import console
 from layoutkit.cli.exits import Exit, exit_of_code
+from layoutkit.cli.recognising import way_on
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
 from layoutkit.diagnostics.blame import Misbehaviour
 from layoutkit.model import Facade
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 #: Seconds for what there is to say, where a plugin that cannot be interrupted ends the program.
 _LAST_WORDS = 3.0
+#: What is wrong with files of other kinds: no XML, or the root of another document.
+_OTHER_KINDS = frozenset({"LK002", "LK003", "LK101"})
 
 
 @dataclass
@@ -102,7 +105,13 @@ class Session:
         """
         from layoutkit import documents
 
-        document = documents.read(path, self.host.constraints)
+        try:
+            document = documents.read(path, self.host.constraints)
+        except Faulty as faulty:
+            first, *others = faulty.diagnostics
+            if first.code in _OTHER_KINDS and (hint := way_on(self, path)):
+                raise Faulty([replace(first, hint=hint), *others]) from faulty
+            raise
         self.report(document.diagnostics)
         return document
 

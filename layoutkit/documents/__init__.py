@@ -1,6 +1,6 @@
 """Documents: XML to model and back, the schema, cross-references, faults with their place."""
 
-from layoutkit.documents.document import Document, read
+from layoutkit.documents.document import Document, is_facade, read
 from layoutkit.documents.files import load, save
 from layoutkit.documents.grammar import NAMESPACE
 from layoutkit.documents.insertion import with_constraints, with_grids
@@ -19,6 +19,7 @@ __all__ = [
     "Source",
     "check",
     "facade_bytes",
+    "is_facade",
     "is_mass",
     "is_session",
     "layout_bytes",

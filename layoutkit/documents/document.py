@@ -18,6 +18,7 @@ from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
 from layoutkit.documents.makers import Maker, Numbers, Regions
 from layoutkit.documents.masses import mass_of
 from layoutkit.documents.reading import Reading, in_order
+from layoutkit.documents.roots import is_rooted
 from layoutkit.documents.source import Source
 from layoutkit.documents.spelling import near_namespace
 from layoutkit.documents.streaming import LAYOUT_PARTS, Making, Streamed, stream
@@ -57,6 +58,17 @@ class Document:
     model: Facade | Layout
     diagnostics: tuple[Diagnostic, ...]
     source: bytes
+
+
+def is_facade(document: Path | str | Source) -> bool:
+    """Tell whether a document's root element is a facade; of what is no XML it is none.
+
+    Raises
+    ------
+    Faulty
+        If the file cannot be read.
+    """
+    return is_rooted(document, FACADE)
 
 
 @dataclass(frozen=True)

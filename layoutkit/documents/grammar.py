@@ -330,8 +330,8 @@ EDIT = element_type(
     _optional(
         "source",
         _POSITIONS,
-        "Which column or row was copied, removed or moved, counted from 1 before the edit. Of several grids "
-        "that are unlike each other, one for each kind, in the order of their names.",
+        "Which column or row was copied, removed or moved, counted from 1 before the edit. Of grids with "
+        "different numbers of them, one for each number, in the order in which the grids are named.",
     ),
     _optional(
         "at", _POSITIONS, "Added: which column or row the new one is afterwards, as many numbers as source."

@@ -19,7 +19,7 @@ from layoutkit.diagnostics.origin import PROJECT
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
-    from layoutkit.model import Count, DroppedEdit, Facade, Layout, ProposedEdit
+    from layoutkit.model import Count, DroppedEdit, Facade, Layout, Piece, ProposedEdit
     from layoutkit.model.conflict import Explanation
     from layoutkit.sizing.qp import Backend
 
@@ -53,8 +53,8 @@ class Outcome:
     proposal
         The edit that leads to the document, or that comes to nothing, where a stage proposes edits.
     origins
-        Of an edited facade: for each terminal, by its unique path, the unique path in the facade that editing
-        began with of what its picture is taken from.
+        Of an edited facade: for each terminal, by its unique path, the pieces of the original facade that
+        its picture is made of.
     """
 
     status: Status
@@ -64,7 +64,7 @@ class Outcome:
     explanation: Explanation | None = None
     count: Count | None = None
     proposal: ProposedEdit | DroppedEdit | None = None
-    origins: Mapping[str, str] | None = None
+    origins: Mapping[str, tuple[Piece, ...]] | None = None
 
 
 class Stage(ABC):

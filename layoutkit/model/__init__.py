@@ -10,6 +10,7 @@ from layoutkit.model.grid import Grid
 from layoutkit.model.layout import Layout, Violation
 from layoutkit.model.mass import Block, Footprint, Mass, Part
 from layoutkit.model.measure import Measure
+from layoutkit.model.piece import Piece
 from layoutkit.model.proposal import DroppedEdit, ProposedEdit
 from layoutkit.model.region import Fill, PlacedRegion, Region, Split, place
 from layoutkit.model.selection import RegionSet
@@ -37,6 +38,7 @@ __all__ = [
     "Measure",
     "Part",
     "Picture",
+    "Piece",
     "PlacedRegion",
     "ProposedEdit",
     "Region",

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from layoutkit.model.session import Drag, Edit, RegionSize, Resize, Step
+
+#: The paths of elements that are moved are cut to so many characters.
+PATH_LENGTH = 28
 
 
 def told(step: Step) -> str:
     """Return what a step does, e.g. ``column 2 again, after 3``.
 
-    Of an edit, each kind of grids that are edited together has its own words.
+    Of an edit, each kind of grids that are edited together has its own words. Where each is a grid of its
+    own, they begin with its name: ``windows: column 2 again, after 3; sills: column 1 again, before 1``.
     """
     if isinstance(step, Edit):
         return ", ".join(filter(None, (_edit(step), _size("facade", step.width, step.height))))
@@ -20,17 +26,38 @@ def told(step: Step) -> str:
 
 
 def _edit(edit: Edit) -> str:
-    line = "column" if edit.axis == "columns" else "row"
     if edit.element is not None:
-        return f"{edit.element} moved to {line} {edit.to[0]}"
+        return f"to {_line(edit)} {edit.to[0]}: {_shortened(edit.element)}"
+    parts = tuple(_parts(edit))
+    if len(parts) > 1 and len(parts) == len(edit.grids):
+        parts = tuple(f"{name}: {part}" for name, part in zip(edit.grids, parts, strict=True))
+    return "; ".join(parts)
+
+
+def _parts(edit: Edit) -> Iterator[str]:
+    """Yield what is done to each kind of grids."""
+    line = _line(edit)
     if edit.action == "remove":
         side = " and the gap before it" if edit.gap == "before" else ""
-        return "; ".join(f"without {line} {own}{side}" for own in edit.source)
-    if edit.action == "move":
-        pairs = zip(edit.source, edit.to, strict=True)
-        return "; ".join(f"{line} {own} moved to {to}" for own, to in pairs)
-    pairs = zip(edit.source, edit.at, strict=True)
-    return "; ".join(f"{line} {own} again, {_beside(at)}" for own, at in pairs)
+        yield from (f"without {line} {own}{side}" for own in edit.source)
+    elif edit.action == "move":
+        yield from (f"{line} {own} moved to {to}" for own, to in zip(edit.source, edit.to, strict=True))
+    else:
+        pairs = zip(edit.source, edit.at, strict=True)
+        yield from (f"{line} {own} again, {_beside(at)}" for own, at in pairs)
+
+
+def _line(edit: Edit) -> str:
+    return "column" if edit.axis == "columns" else "row"
+
+
+def _shortened(path: str) -> str:
+    """Return a path, from the left without as many names as make it too long for a caption."""
+    names = path.split("/")
+    while len(names) > 1 and len("/".join(names)) > PATH_LENGTH:
+        del names[0]
+    shown = "/".join(names)
+    return shown if shown == path else f"…/{shown}"
 
 
 def _beside(at: int) -> str:

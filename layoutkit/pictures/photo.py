@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
-from layoutkit.model import Box, Facade, Region
+from layoutkit.model import Box, Facade, Piece, Region
 from layoutkit.pictures.grid import Cell, PixelGrid
 
 if TYPE_CHECKING:
@@ -74,23 +74,31 @@ class Photo:
             message = f"the picture cannot be read: {error}"
             raise _faulty(message, "save it anew as PNG or JPEG", file) from None
 
-    def texture(self, source: Box, region: Region, size: tuple[int, int]) -> Image:
+    def texture(self, pieces: tuple[Piece, ...], region: Region, size: tuple[int, int]) -> Image:
         """Return the picture of a terminal.
 
         Parameters
         ----------
-        source
-            Where in the facade it comes from.
+        pieces
+            The parts of the facade that it is made of. If there are several, each stretches.
         region
-            The terminal in its layout: its size, and whether its picture stretches or repeats.
+            The terminal in its layout: its size, and whether a single piece stretches or repeats.
         size
             Width and height in pixels.
         """
-        from PIL.Image import Resampling
+        from PIL import Image
 
-        texture = self.image.crop(_at_least_one_pixel(self.grid.cell(source), self.image.size))
-        texture = _repeated(texture, copies(region, source))
-        return texture if texture.size == size else texture.resize(size, Resampling.LANCZOS)
+        if len(pieces) == 1:
+            return _brought_to(size, _repeated(self._cut(pieces[0].source), copies(region, pieces[0].source)))
+        whole, grid = Image.new("RGB", size), PixelGrid(1.0, 1.0, *size)
+        for piece in pieces:
+            left, top, right, bottom = grid.cell(piece.share)
+            if left < right and top < bottom:
+                whole.paste(_brought_to((right - left, bottom - top), self._cut(piece.source)), (left, top))
+        return whole
+
+    def _cut(self, source: Box) -> Image:
+        return self.image.crop(_at_least_one_pixel(self.grid.cell(source), self.image.size))
 
     def window(self, source: Box) -> Box:
         """Return where a part of the facade is in the image, as shares of that, y up.
@@ -133,6 +141,12 @@ def _at_least_one_pixel(cell: Cell, size: tuple[int, int]) -> Cell:
 
 def _copies(target: float, source: float) -> int:
     return max(1, round(target / source))
+
+
+def _brought_to(size: tuple[int, int], texture: Image) -> Image:
+    from PIL.Image import Resampling
+
+    return texture if texture.size == size else texture.resize(size, Resampling.LANCZOS)
 
 
 def _repeated(texture: Image, copies: tuple[int, int]) -> Image:

@@ -6,11 +6,11 @@ import io
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from layoutkit.model import Facade, Layout, PlacedRegion, place
+from layoutkit.model import Facade, Layout, Piece, PlacedRegion, place
 from layoutkit.pictures.grid import Cell, PixelGrid
 from layoutkit.pictures.palette import colour_of, darker
 from layoutkit.pictures.photo import Photo
-from layoutkit.pictures.sources import known_sources, sources
+from layoutkit.pictures.sources import Pieces, known_sources, sources
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -30,21 +30,22 @@ def render_png(
     document: Facade | Layout,
     photo: Photo | None = None,
     *,
-    origins: Mapping[str, str] | None = None,
+    origins: Mapping[str, Pieces] | None = None,
     scale: float = 1.0,
     longest: int = LONGEST,
 ) -> Image:
     """Return a picture of a facade or layout.
 
-    With a photo, each terminal shows the photo's part that `origins` name or else `sources` chooses for it,
-    stretched or repeated as its `fill` says; without one, terminals are coloured by label and outlined.
+    With a photo, each terminal shows the photo's parts that `origins` name or else `sources` chooses for it,
+    a single part stretched or repeated as its `fill` says; without one, terminals are coloured by label and
+    outlined.
 
     Parameters
     ----------
     photo
         The photo of the facade that a layout varies, or that an edited facade began with.
     origins
-        Of an edited facade: for each terminal, by its unique path, that of its source in the photo's facade.
+        Of an edited facade: for each terminal, by its unique path, the pieces that its picture is made of.
     scale
         Pixels a document unit, as a multiple of the photo's own (without one: 50 a metre, 1 a pixel).
     longest
@@ -53,14 +54,16 @@ def render_png(
     Raises
     ------
     Faulty
-        If a layout has a region that the photo's facade lacks.
+        If a layout has a region that the photo's facade lacks, or an edited facade a terminal without pieces
+        of it.
     """
     grid = _grid(document, photo, scale, longest)
     if photo is None:
         return _by_labels(document, grid)
     root, facade = document.root, photo.facade
-    pairs = sources(root, facade) if origins is None else known_sources(root, facade, origins)
-    return _by_photo(pairs, photo, grid)
+    if origins is None:
+        return _by_photo(((own, (Piece.whole(of.box),)) for own, of in sources(root, facade)), photo, grid)
+    return _by_photo(known_sources(root, facade, origins), photo, grid)
 
 
 def png_bytes(image: Image, level: int = 1) -> bytes:
@@ -84,20 +87,20 @@ def _grid(document: Facade | Layout, photo: Photo | None, scale: float, longest:
     return PixelGrid.at(root.width, root.height, (natural[0] * factor, natural[1] * factor))
 
 
-def _by_photo(pairs: Iterable[tuple[PlacedRegion, PlacedRegion]], photo: Photo, grid: PixelGrid) -> Image:
-    """Return a picture of placed terminals, each with its source in the photo's facade."""
+def _by_photo(pairs: Iterable[tuple[PlacedRegion, Pieces]], photo: Photo, grid: PixelGrid) -> Image:
+    """Return a picture of placed terminals, each with its pieces of the photo's facade."""
     from PIL import Image
 
     canvas = Image.new("RGB", (grid.columns, grid.rows), BACKGROUND)
-    made: dict[tuple[str, tuple[int, int]], Image.Image] = {}
-    for placed, source in pairs:
+    made: dict[tuple[Pieces, tuple[int, int]], Image.Image] = {}
+    for placed, pieces in pairs:
         left, top, right, bottom = grid.cell(placed.box)
         size = (right - left, bottom - top)
         if min(size) == 0:
             continue
         # Replicas of one source differ by a pixel at most: most textures are made once.
-        if (key := (source.path, size)) not in made:
-            made[key] = photo.texture(source.box, placed.region, size)
+        if (key := (pieces, size)) not in made:
+            made[key] = photo.texture(pieces, placed.region, size)
         canvas.paste(made[key], (left, top))
     return canvas
 

@@ -6,9 +6,11 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
 from layoutkit.diagnostics import Diagnostic, Faulty, did_you_mean
-from layoutkit.model import Box, Facade, PlacedRegion, Region, place
-from layoutkit.model.region import place_children
+from layoutkit.model import Box, Facade, Piece, PlacedRegion, Region, place
+from layoutkit.model.region import TILING_TOLERANCE, place_children
 
+#: What a terminal of an edited facade shows: at least one piece.
+Pieces = tuple[Piece, ...]
 _Children = Mapping[str, Sequence[PlacedRegion]]
 
 
@@ -61,9 +63,9 @@ def sources(root: Region, facade: Facade) -> Iterator[tuple[PlacedRegion, Placed
 
 
 def known_sources(
-    root: Region, facade: Facade, origins: Mapping[str, str]
-) -> Iterator[tuple[PlacedRegion, PlacedRegion]]:
-    """Yield every terminal of an edited facade with the place in the original that its picture comes from.
+    root: Region, facade: Facade, origins: Mapping[str, Pieces]
+) -> Iterator[tuple[PlacedRegion, Pieces]]:
+    """Yield every terminal of an edited facade with the pieces of the original that its picture is made of.
 
     Parameters
     ----------
@@ -72,20 +74,33 @@ def known_sources(
     facade
         What editing began with.
     origins
-        For each terminal, by its unique path, the unique path of its source.
+        For each terminal, by its unique path, its pieces.
 
     Raises
     ------
     Faulty
-        If a terminal has no source, or one that the facade lacks (LK501).
+        If a terminal has no pieces, or one from outside the facade (LK501).
     """
-    there = {placed.path: placed for placed in place(facade.root)}
     for placed in place(root):
         if placed.region.terminal:
-            origin = origins.get(placed.path)
-            if origin not in there:
-                raise _unknown(origin or placed.path, placed.path, facade)
-            yield placed, there[origin]
+            pieces = origins.get(placed.path)
+            if not pieces:
+                raise _unknown(placed.path, placed.path, facade)
+            for piece in pieces:
+                _check_inside(piece.source, placed.path, facade)
+            yield placed, pieces
+
+
+def _check_inside(source: Box, path: str, facade: Facade) -> None:
+    width, height = facade.root.width, facade.root.height
+    allowed = TILING_TOLERANCE * max(width, height)
+    inside = source.x0 >= -allowed and source.y0 >= -allowed
+    inside = inside and source.x1 <= width + allowed and source.y1 <= height + allowed
+    if not (inside and source.width > 0 and source.height > 0):
+        box = " ".join(f"{edge:.9g}" for edge in source)
+        message = f"{path} has no picture: {box} is no part of the facade {facade.name!r}"
+        hint = "the source of a piece is a box in the facade, in its units, y up"
+        raise Faulty([Diagnostic("LK501", message, hint=hint, topic="picture")])
 
 
 def _placed_root(root: Region) -> PlacedRegion:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -16,7 +17,7 @@ from layoutkit_editing.constraints.checks import broken
 from layoutkit_editing.constraints.rules import rules
 from layoutkit_editing.constraints.within import sized_within
 from layoutkit_editing.grids.likeness import types
-from layoutkit_editing.moments import Moment
+from layoutkit_editing.moments import Moment, resting
 from layoutkit_editing.natural import with_extents
 from layoutkit_editing.proposing.applying import AXES
 from layoutkit_editing.proposing.clustering import ordered
@@ -25,7 +26,7 @@ from layoutkit_editing.proposing.settling import Judge, made
 from layoutkit_editing.proposing.signatures import Signatures
 from layoutkit_editing.sizing.dragging import END, START, Handle, Workspace
 from layoutkit_editing.sizing.solving import Unsizable
-from layoutkit_editing.state import State
+from layoutkit_editing.state import State, Targets
 from layoutkit_editing.topology.site import Refused
 
 if TYPE_CHECKING:
@@ -45,7 +46,8 @@ class Editor:
     """A facade that is edited step by step.
 
     Every moment follows from the facade and the steps alone: taking a step back and making it again gives the
-    same bytes.
+    same bytes. What sizes were given, lines dragged or the facade resized to, is what it rests at from then
+    on: later edits go on from there.
 
     Parameters
     ----------
@@ -53,6 +55,11 @@ class Editor:
         What editing begins with, its grids among it.
     backends
         Solvers of quadratic programs, in the order in which they are asked.
+
+    Attributes
+    ----------
+    remarks
+        What the last step did not reach, in the user's words.
 
     Raises
     ------
@@ -70,6 +77,7 @@ class Editor:
             lambda state, found: broken(state, found.span),
         )
         self._moments = [Moment.first(facade)]
+        self.remarks: tuple[str, ...] = ()
         self._done: list[Step] = []
         self._undone: list[Step] = []
 
@@ -112,10 +120,18 @@ class Editor:
             The unique path of one element to move, instead of whole lines.
         width, height
             What the facade is to measure afterwards; else it grows or shrinks by what comes or goes.
+
+        Raises
+        ------
+        Refused
+            If there is no such grid or element, or there are too many combinations.
         """
-        state = self._released(self.moment.state, axis, width, height)
+        self._check_grids(names := tuple(grids))
+        if element is not None and action != "move":
+            raise Refused("one element by itself can only be moved")
+        state = self._asked(width, height)
         moved = None if element is None else (self._node(element), element)
-        wish = Wish(action, axis, tuple(grids), moved, width, height)
+        wish = Wish(action, axis, names, moved, width, height)
         with single_threaded():
             return tuple(proposals(state, self.moment.sized.span, wish, self._types, self._judge))
 
@@ -128,8 +144,16 @@ class Editor:
         return ordered(state, found, Signatures(self._types, state.tree))
 
     def take(self, proposal: Proposal) -> None:
-        """Go on with a proposal of the facade as it is now."""
-        self._step(proposal.edit, Moment(proposal.state, proposal.sized))
+        """Go on with a proposal of the facade as it is now.
+
+        Raises
+        ------
+        Refused
+            If it was made for another moment.
+        """
+        if proposal.before is not self.moment.state.tree:
+            raise Refused("the proposal is for another moment: ask for proposals again")
+        self._step(proposal.edit, resting(proposal.state, proposal.sized))
 
     def make(self, step: Step) -> None:
         """Make a step that was recorded.
@@ -191,34 +215,47 @@ class Editor:
 
     def _after(self, step: Step) -> Moment:
         """Return the moment after a step."""
-        if not isinstance(step, Drag) and any(
-            size is not None and size <= 0 for size in (step.width, step.height)
-        ):
+        self.remarks = ()
+        if any(not math.isfinite(number) for number in _numbers(step)):
+            raise Refused("sizes and places have to be finite numbers")
+        if isinstance(step, Drag):
+            return self._dragged(step)
+        if any(number <= 0 for number in _numbers(step)):
             raise Refused("sizes have to be above 0")
         if isinstance(step, Edit):
             return self._edited(step)
-        if isinstance(step, Drag):
-            return self._dragged(step)
         state = self.moment.state
         if isinstance(step, Resize):
             return self._settled(_resized(state, step))
         return self._settled(_sized_alone(state, step, self._node(step.region)))
 
     def _settled(self, state: State) -> Moment:
-        return Moment(state, self._judge.settled(state, ()))
+        """Return the moment of a state that was asked for sizes; every grid has to stay as it is."""
+        names = [lattice.name for lattice in state.lattices]
+        return resting(*self._judge.settled(state, names))
 
     def _edited(self, edit: Edit) -> Moment:
-        for name in edit.grids:
-            if all(lattice.name != name for lattice in self.moment.state.lattices):
-                raise Refused(f"the facade has no grid {name!r} then")
-        state = self._released(self.moment.state, edit.axis, edit.width, edit.height)
-        signatures = Signatures(self._types, state.tree)
-        groups = lockstep(state, edit.grids, signatures)
-        numbers = {len(edit.source), len(edit.at) or len(edit.to) or len(edit.source)}
-        if edit.element is None and numbers != {len(groups)}:
-            raise Refused(f"its grids are of {len(groups)} kinds, and {sorted(numbers)} numbers are given")
+        self._check_grids(edit.grids)
+        state = self._asked(edit.width, edit.height)
+        groups = lockstep(state, edit.grids, AXES[edit.axis])
+        given = [edit.source, edit.at] if edit.action == "add" else [edit.source]
+        given += [edit.to] if edit.action == "move" else []
+        if edit.element is not None:
+            given = [edit.to]
+        if any(len(numbers) != len(groups) for numbers in given):
+            raise Refused(
+                f"its grids have {len(groups)} different numbers of {edit.axis}: it needs as many numbers"
+            )
         element = None if edit.element is None else self._node(edit.element)
-        return Moment(*made(state, self.moment.sized.span, edit, groups, self._judge, element))
+        return resting(*made(state, self.moment.sized.span, edit, groups, self._judge, element))
+
+    def _check_grids(self, names: Sequence[str]) -> None:
+        known = [lattice.name for lattice in self.moment.state.lattices]
+        for name in names:
+            if name not in known:
+                raise Refused(f"the facade has no grid {name!r} then")
+        if not names:
+            raise Refused("no grid is named")
 
     def _node(self, path: str) -> int:
         """Return the node of a path."""
@@ -226,21 +263,31 @@ class Editor:
             raise Refused(f"there is no region {path!r}")
         return self.moment.by_path[path]
 
-    def _released(self, state: State, axis: Axis, width: float | None, height: float | None) -> State:
-        """Return the state before an edit: the facade's extent along its axis is free, or as is asked now."""
-        known = list(state.targets.extents)
-        known[AXES[axis]] = None
-        extents = (width if width is not None else known[0], height if height is not None else known[1])
-        return replace(state, targets=replace(state.targets, extents=extents))
+    def _asked(self, width: float | None, height: float | None) -> State:
+        """Return the state as it is now, asked to have other extents after the next edit."""
+        return replace(self.moment.state, targets=Targets((width, height)))
 
     def _dragged(self, drag: Drag) -> Moment:
         """Return the moment after a side was dragged: to where it was to go, or as near as it can come."""
-        handle = self.handle(drag.region, drag.side)
-        to = drag.to if handle.axis == 0 else self.moment.sized.extents[1] - drag.to
-        found = self.workspace.drag(handle, to)
+        state, height = self.moment.state, self.moment.sized.extents[1]
+        own, (axis, end) = self._node(drag.region), SIDES[drag.side]
+        line = self.moment.sized.span(own, axis)[end]
+        if (axis, end) == (1, START) and line <= state.original.tolerance:
+            return self._settled(_resized(state, Resize(height=drag.to)))  # the facade's top: it gets as high
+        if line <= state.original.tolerance or (axis == 1 and line >= height - state.original.tolerance):
+            raise Refused(
+                f"the {drag.side} side of {drag.region} is the facade's: places are counted from there"
+            )
+        handle = Handle(own, axis, end)
+        found = self.workspace.drag(handle, drag.to if axis == 0 else height - drag.to)
         if isinstance(found, Unsizable):
             raise Refused(found.reason)
-        return self._settled(_held(self.moment.state, handle, found.place))
+        moment = self._settled(_held(state, handle, found.place))
+        if found.obstacle:
+            place = found.place if axis == 0 else height - found.place
+            reached = f"the {drag.side} side of {drag.region} went to {place:.6g}, not to {drag.to:.6g}"
+            self.remarks = (f"{reached}: {found.obstacle}",)
+        return moment
 
     def handle(self, path: str, side: Side) -> Handle:
         """Return what takes a side of a region up, to be dragged in the `workspace`."""
@@ -269,13 +316,15 @@ class Unrepeatable(Exception):  # noqa: N818  # an answer, told with the step's 
         self.step, self.reason = step, reason
 
 
+def _numbers(step: Step) -> list[float]:
+    """Return the sizes and places that a step asks for."""
+    if isinstance(step, Drag):
+        return [step.to]
+    return [size for size in (step.width, step.height) if size is not None]
+
+
 def _resized(state: State, step: Resize) -> State:
-    known = state.targets.extents
-    extents = (
-        step.width if step.width is not None else known[0],
-        step.height if step.height is not None else known[1],
-    )
-    return replace(state, targets=replace(state.targets, extents=extents))
+    return replace(state, targets=Targets((step.width, step.height)))
 
 
 def _held(state: State, handle: Handle, place: float) -> State:

@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from layoutkit.constraints.references import missing_names
-from layoutkit.model import Facade, Grid
+from layoutkit.model import Facade, Grid, Piece
 from layoutkit_editing.carrying import carried
 from layoutkit_editing.grids.lattices import lattice_of
 from layoutkit_editing.naming import Named, named
 from layoutkit_editing.original import Original
+from layoutkit_editing.pieces import pieces
 from layoutkit_editing.sizing.solving import Sized, Unsizable, sized
-from layoutkit_editing.state import Lattice, State
+from layoutkit_editing.state import Lattice, State, Targets
 from layoutkit_editing.tree import Tree
 
 
@@ -60,14 +61,10 @@ class Moment:
         return {path: own for own, path in self.named.paths.items()}
 
     @cached_property
-    def origins(self) -> Mapping[str, str]:
-        """For each terminal, by its path, the path in the original of what its picture is taken from."""
-        places, nodes = self.state.original.places, self.state.tree.nodes
-        return {
-            path: places[nodes[own].source].path
-            for own, path in self.named.paths.items()
-            if nodes[own].split is None
-        }
+    def origins(self) -> Mapping[str, tuple[Piece, ...]]:
+        """For each terminal, by its path, the pieces of the original that its picture is made of."""
+        found = pieces(self.state, self.sized)
+        return {path: found[own] for own, path in self.named.paths.items() if own in found}
 
     @cached_property
     def facade(self) -> Facade:
@@ -85,5 +82,24 @@ class Moment:
             by_set = Grid(lattice.name, known.of)
             if {placed.path for placed in by_set.members(facade)} == chosen:
                 return by_set
-        order = {path: number for number, path in enumerate(self.named.paths.values())}
-        return Grid(lattice.name, elements=tuple(sorted(chosen, key=order.__getitem__)))
+        ordered = (self.named.paths[own] for own in self.state.tree.order)
+        return Grid(lattice.name, elements=tuple(path for path in ordered if path in chosen))
+
+
+def resting(state: State, found: Sized) -> Moment:
+    """Return the moment of a sized state that was asked for sizes: they are what its terminals rest at."""
+    if state.targets == Targets():
+        return Moment(state, found)
+    rests, tolerance = dict(state.rests), state.original.tolerance
+    for own in state.tree.order:
+        if state.tree.nodes[own].split is None:
+            size = _extent(found, own, 0), _extent(found, own, 1)
+            known = rests.get(own, state.original.extents[state.tree.nodes[own].source])
+            if max(abs(size[0] - known[0]), abs(size[1] - known[1])) > tolerance:
+                rests[own] = size
+    return Moment(replace(state, targets=Targets(), rests=rests), found)
+
+
+def _extent(found: Sized, own: int, axis: int) -> float:
+    start, end = found.span(own, axis)
+    return end - start

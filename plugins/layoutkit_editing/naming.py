@@ -14,10 +14,11 @@ from layoutkit_editing.tree import NEW, Tree
 
 #: What composites that are a copy of nothing are called.
 GROUP = "Group"
-#: Sizes are rounded to this share of the facade's size: noise of floats is below it, and tiling stays exact.
-DIGITS = 1e-12
-#: Siblings are replicas if their sizes differ by no more than this share of the facade's size.
-ALIKE = 1e-11
+#: Sizes are those of sources, and siblings are replicas, if all that they are off by, taken together, is no
+#: more than this share of their parent: children tile it to a tenth of what they may be off.
+ALIKE = 1e-10
+#: Sizes are rounded to this share of that: noise of floats is below it.
+DIGITS = 1e-2
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,8 @@ def named(original: Original, tree: Tree, spans: Spans) -> Named:
         Where nodes stand.
     """
     namer = _Namer(original, tree, spans)
-    root = namer.region(tree.root, *namer.size(tree.root))
+    whole = original.facade.root
+    root = namer.region(tree.root, *namer.size(tree.root, ALIKE * max(whole.width, whole.height)))
     paths: dict[int, str] = {tree.root: root.symbol}
     symbol_paths = dict(paths)
     for own in tree.inside(tree.root):
@@ -80,26 +82,20 @@ class _Namer:
     spans: Spans
     symbols: dict[int, str] = field(default_factory=dict)
 
-    def size(self, own: int) -> tuple[float, float]:
+    def size(self, own: int, tolerance: float) -> tuple[float, float]:
         """Return a node's width and height: its source's, where they are no others, else rounded."""
         source = self.tree.nodes[own].source
-        width, height = (self._size(own, axis, source) for axis in (0, 1))
+        width, height = (self._size(own, axis, source, tolerance) for axis in (0, 1))
         return width, height
 
-    def _size(self, own: int, axis: int, source: int) -> float:
+    def _size(self, own: int, axis: int, source: int, tolerance: float) -> float:
         start, end = self.spans(own, axis)
-        unit = self._unit * DIGITS
         if source != NEW:
             region = self.original.places[source].region
             known = region.height if axis else region.width
-            if abs(end - start - known) <= unit:
+            if abs(end - start - known) <= tolerance:
                 return known
-        return round(end - start, max(0, -math.floor(math.log10(unit))))
-
-    @property
-    def _unit(self) -> float:
-        root = self.original.facade.root
-        return max(root.width, root.height)
+        return round(end - start, max(0, -math.floor(math.log10(tolerance * DIGITS))))
 
     def region(self, own: int, width: float, height: float) -> Region:
         """Return the region of a node, everything inside it named."""
@@ -107,12 +103,13 @@ class _Namer:
         like = Region(GROUP, width, height) if node.source == NEW else self._like(node.source)
         if own == self.tree.root:
             self.symbols[own] = like.symbol
+        tolerance = ALIKE * (width if node.split == "columns" else height) / max(len(node.children), 1)
         children = list[Region]()
         for child in node.children:
-            along, across = self.size(child)
+            along, across = self.size(child, tolerance)
             size = (along, height) if node.split == "columns" else (width, across)
             children.append(self.region(child, *size))
-        symbols = self._symbols(children)
+        symbols = self._symbols(children, tolerance)
         for child, region in zip(node.children, symbols, strict=True):
             self.symbols[child] = region.symbol
         return replace(like, width=width, height=height, split=node.split, children=tuple(symbols))
@@ -120,14 +117,14 @@ class _Namer:
     def _like(self, source: int) -> Region:
         return self.original.places[source].region
 
-    def _symbols(self, siblings: Sequence[Region]) -> list[Region]:
+    def _symbols(self, siblings: Sequence[Region], tolerance: float) -> list[Region]:
         """Return siblings with symbols of their own, replicas as one object."""
         different: defaultdict[str, list[Region]] = defaultdict(list)
         taken = {region.symbol for region in siblings}
         found = list[Region]()
         for region in siblings:
             known = different[region.symbol]
-            replica = next((other for other in known if self._alike(region, other)), None)
+            replica = next((other for other in known if _alike(region, other, tolerance)), None)
             if replica is None:
                 replica = replace(region, symbol=free_name(region.symbol, taken)) if known else region
                 taken.add(replica.symbol)
@@ -135,15 +132,16 @@ class _Namer:
             found.append(replica)
         return found
 
-    def _alike(self, one: Region, other: Region) -> bool:
-        tolerance = ALIKE * self._unit
-        return (
-            abs(one.width - other.width) <= tolerance
-            and abs(one.height - other.height) <= tolerance
-            and (one.split, one.labels, one.fill) == (other.split, other.labels, other.fill)
-            and (one.depth, one.material, one.word) == (other.depth, other.material, other.word)
-            and all(map(self._alike, one.children, other.children))
-        )
+
+def _alike(one: Region, other: Region, tolerance: float) -> bool:
+    """Tell whether regions are replicas but for their symbols."""
+    return (
+        abs(one.width - other.width) <= tolerance
+        and abs(one.height - other.height) <= tolerance
+        and (one.split, one.labels, one.fill) == (other.split, other.labels, other.fill)
+        and (one.depth, one.material, one.word) == (other.depth, other.material, other.word)
+        and all(_alike(*pair, tolerance) for pair in zip(one.children, other.children, strict=True))
+    )
 
 
 def free_name(stem: str, taken: Collection[str]) -> str:

@@ -49,6 +49,8 @@ def _extents(state: State) -> tuple[float, float]:
     flat = Flat.of(state.tree)
     terminal = flat.along == TERMINAL
     extents = np.where(terminal, state.original.sizes[:, flat.sources], 0.0)
+    for own, size in state.rests.items():
+        extents[:, flat.index[own]] = size
     held = np.zeros(len(flat))
     elements = [flat.index[own] for lattice in state.lattices for own in lattice.elements]
     np.add.at(held, elements, 1.0)

@@ -78,6 +78,9 @@ class State:
     shifts
         How far elements were moved from where their sources stand, along x and down, by node: alignments
         take them to have stood there.
+    rests
+        Width and height at which terminals rest, by node, where it is not their sources': what sizes were
+        given, lines dragged, or the facade resized to.
     """
 
     original: Original
@@ -85,6 +88,7 @@ class State:
     lattices: tuple[Lattice, ...]
     shifts: Mapping[int, tuple[float, float]] = field(default_factory=dict)
     targets: Targets = field(default_factory=Targets)
+    rests: Mapping[int, tuple[float, float]] = field(default_factory=dict)
 
     @cached_property
     def elements(self) -> frozenset[int]:

@@ -95,7 +95,7 @@ def test_undo_and_redo(gate: Path, tmp_path: Path, layoutkit: Any) -> None:
     run = layoutkit("apply", edits, "--redo", "--session", edits)
     assert run.code == 2
     assert "there is nothing to redo" in run.err
-    run = layoutkit("apply", gate, "--undo", "--session", edits)
+    run = layoutkit("apply", gate, "--undo", "--session", tmp_path / "new.xml")
     assert run.code == 2
     assert "there is nothing to undo" in run.err
 
@@ -152,6 +152,7 @@ def test_a_facade_without_grids(bare_gate: Path, tmp_path: Path, layoutkit: Any)
     run = layoutkit(*taking, "--session", tmp_path / "edits.xml")
     assert run.code == 1
     assert "error LK652" in run.err
+    assert f"`layoutkit grids {bare_gate} -o OUT.xml` finds some" in run.err
     assert not (tmp_path / "edits.xml").exists()
 
 
@@ -203,6 +204,58 @@ def test_nothing_that_is_read_is_written_over(gate: Path, layoutkit: Any) -> Non
         assert run.code == 2, options
         assert "error LK704" in run.err
         assert contents(gate.parent) == before
+
+
+def test_what_others_wrote_is_not_written_over(gate: Path, tmp_path: Path, layoutkit: Any) -> None:
+    edits, notes = tmp_path / "edits.xml", tmp_path / "notes.xml"
+    assert layoutkit("apply", gate, "--width", 8, "--session", edits).code == 0
+    notes.write_text("to do")
+    before = contents(tmp_path / "gate"), edits.read_bytes()
+    for options, hint in (
+        (("--session", edits), f"to go on from it, name it first: layoutkit apply {edits} ..."),
+        (("-o", edits), "name another file with -o"),
+        (("-o", notes), "name another file with -o"),
+        (("--session", notes), "name another file with --session"),
+    ):
+        run = layoutkit("apply", gate, "--height", 7, *options)
+        assert run.code == 2, options
+        assert "error LK704 usage: this file is there already" in run.err
+        assert hint in run.err
+    other = tmp_path / "other.xml"
+    assert layoutkit("apply", gate, "--height", 7, "--session", other).code == 0
+    assert layoutkit("apply", other, "--height", 8, "--session", edits).code == 2
+    assert (contents(tmp_path / "gate"), edits.read_bytes(), notes.read_text()) == (*before, "to do")
+
+
+def test_an_earlier_result_is_written_over(gate: Path, tmp_path: Path, layoutkit: Any) -> None:
+    edited = tmp_path / "edited.xml"
+    for width in (8, 9):
+        assert layoutkit("apply", gate, "--width", width, "-o", edited).code == 0
+        assert facade_of(edited).root.width == width
+
+
+def test_a_drag_that_stops_says_where(gate: Path, tmp_path: Path, layoutkit: Any) -> None:
+    edited, edits = tmp_path / "edited.xml", tmp_path / "edits.xml"
+    dragging = ("--drag", "Gate/Floor/Pier:right=50", "-o", edited)
+    run = layoutkit("apply", gate, *dragging, "--session", edits)
+    assert run.code == 0
+    note = next(line for line in run.err.splitlines() if "note LK659 editing: " in line)
+    assert "the right side of Gate/Floor/Pier went to " in note
+    said = note.partition("note LK659 editing: ")[2]
+    assert f"{edited}: {said}: " in run.out
+    reached = float(said.partition(" went to ")[2].partition(",")[0])
+    boxes = [own.box for own in place(facade_of(edited).root)]
+    assert any(box.x1 == pytest.approx(reached, rel=1e-5) for box in boxes)
+    assert [d["code"] for d in layoutkit("apply", gate, *dragging, "--json").data["diagnostics"]] == ["LK659"]
+    assert "LK659" not in layoutkit("apply", edits, "-o", edited).err
+
+
+def test_only_what_is_taken_is_told(gate: Path, tmp_path: Path, layoutkit: Any) -> None:
+    text = gate.read_text(encoding="utf-8")
+    constraint = '  <constraints>\n    <frequency of="@Door" within="Gate" max="1"/>\n  </constraints>\n'
+    gate.write_text(text.replace("  <grids>", f"{constraint}  <grids>"), encoding="utf-8")
+    run = layoutkit("apply", gate, "--grid", "openings", "--take", 1, "-o", tmp_path / "x.xml")
+    assert (run.code, run.err) == (0, "")
 
 
 @pytest.mark.parametrize(

@@ -92,6 +92,20 @@ def test_a_selection_that_is_there_already_is_not_added_again(gate: Path, layout
     assert not any(grid["cells"] == [like] for grid in data["grids"] if grid["found"])
 
 
+def test_one_region_stands_for_all_like_it(gate: Path, tmp_path: Path, layoutkit: Any) -> None:
+    output = tmp_path / "like.xml"
+    run = layoutkit("grids", gate, "--like", "Gate/Floor/Bay.2/Over", "-o", output, "--json")
+    (found,) = run.data["grids"]
+    assert (found["name"], found["found"], found["rows"], found["columns"]) == ("over", True, 2, 3)
+    assert found["cells"] == [
+        ["Gate/Floor/Bay/Over", "Gate/Floor/Bay.2/Over", "Gate/Floor/Bay.3/Over"],
+        ["Gate/Ground/Bay/Over", "Gate/Ground/Axis/Over", "Gate/Ground/Bay.2/Over"],
+    ]
+    assert layoutkit("validate", output).code == 0
+    again = layoutkit("grids", output, "--like", "Gate/Floor/Bay/Over")
+    assert again.out.splitlines() == ["over  2 rows × 3 columns, regular", "0 grids found"]
+
+
 def test_a_selection_of_what_is_not_there(gate: Path, layoutkit: Any) -> None:
     run = layoutkit("grids", gate, "--like", "Gate/Flor")
     assert run.code == 2

@@ -266,4 +266,38 @@ def test_a_facade_in_which_no_grid_is_found(tmp_path: Path, layoutkit: Any) -> N
     run = layoutkit("propose", single, "--grid", "windows", "-o", tmp_path / "out")
     assert run.code == 1
     assert "error LK652" in run.err
-    assert "`layoutkit grids` finds some" in run.err
+    assert "no grid is found in the facade" in run.err
+    assert f"`layoutkit grids {single} --like PATH -o OUT.xml`" in run.err
+
+
+def test_a_session_of_a_facade_without_grids(bare_gate: Path, tmp_path: Path, layoutkit: Any) -> None:
+    edits = tmp_path / "edits.xml"
+    assert layoutkit("apply", bare_gate, "--width", 8, "--session", edits).code == 0
+    run = layoutkit("propose", edits, "--grid", "windows", "-o", tmp_path / "out")
+    assert run.code == 1
+    assert "error LK652" in run.err
+    assert f"{bare_gate.name} -o OUT.xml` finds some" in run.err
+
+
+def test_an_annotation_is_to_be_converted(tmp_path: Path, layoutkit: Any) -> None:
+    cmp = tmp_path / "cmp.xml"
+    cmp.write_text("<object><labelname>door</labelname></object>\n<object/>\n")
+    for command, options in (
+        ("propose", ("--grid", "windows", "-o", tmp_path / "out")),
+        ("apply", ("-o", tmp_path / "out.xml")),
+        ("grids", ()),
+        ("vary", ("-o", tmp_path / "out")),
+    ):
+        run = layoutkit(command, cmp, *options)
+        assert run.code == 1
+        assert f"hint: this is an annotation: `layoutkit convert {cmp} -o OUT.xml`" in run.err
+
+
+@pytest.mark.parametrize("command", ["grids", "vary", "render", "infer"])
+def test_a_session_is_no_facade(command: str, gate: Path, tmp_path: Path, layoutkit: Any) -> None:
+    edits = tmp_path / "edits.xml"
+    assert layoutkit("apply", gate, "--width", 8, "--session", edits).code == 0
+    target = tmp_path / ("out.png" if command == "render" else "out.xml")
+    run = layoutkit(command, edits, "-o", target)
+    assert run.code == 1
+    assert f"hint: `layoutkit apply {edits} -o edited.xml` makes the facade that it leads to" in run.err

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from drawn import columns, facade, leaf, rows
@@ -96,7 +97,7 @@ def test_subgrids_and_the_grid_around_them_are_edited_together() -> None:
     editor = Editor(house())
     found = taken(editor, "add", "columns", ["openings", "panes"])
     assert found[0].edit.grids == ("openings", "panes")
-    assert len(found[0].edit.source) == 2, "one number for each kind"
+    assert len(found[0].edit.source) == 2, "one number for each number of columns"
 
 
 def test_undo_and_redo_give_the_same_bytes() -> None:
@@ -180,6 +181,99 @@ def test_a_proposal_that_cannot_be_sized_is_dropped_with_its_reason() -> None:
     hopeless = Editor(house())
     with pytest.raises(Refused):
         hopeless.make(RegionSize("F/Upper/W", width=50.0, height=0.0))
+
+
+def street() -> Facade:
+    """Return a row of two windows."""
+    wall, window = leaf("Wall", 1.0, 3.0), leaf("Window", 2.0, 3.0, ["Window"])
+    windows = Grid("windows", RegionSet.parse("@Window"))
+    return facade(columns("Row", wall, window, wall, window, wall), windows)
+
+
+def test_taking_a_column_out_leaves_every_storey_in_place() -> None:
+    """The door is alone in its row: what stands beside it takes its room, and the storey stays."""
+    wall, window = leaf("Wall", 1.0, 3.0), leaf("Window", 2.0, 3.0, ["Window"])
+    upper = columns("Upper", wall, window, wall, window, wall, window, wall)
+    ground = columns(
+        "Ground", leaf("Stone", 4.0, 3.0), leaf("Door", 2.0, 3.0, ["Door"]), leaf("Stone", 4.0, 3.0)
+    )
+    editor = Editor(facade(rows("F", upper, ground), Grid("w", RegionSet.parse("@Window | @Door"))))
+    found = taken(editor, "remove", "columns", ["w"])
+    assert found
+    for each in found:
+        editor.take(each)
+        assert words(editor.facade)["F"] == "Upper Ground"
+        assert editor.facade.root.height == pytest.approx(6.0)
+        editor.undo()
+
+
+def test_what_was_moved_there_and_back_is_where_it_was() -> None:
+    wide, narrow = leaf("A", 6.0, 2.0, ["Window"]), leaf("B", 2.0, 2.0, ["Window"])
+    street_ = columns("R", leaf("a"), wide, leaf("n"), narrow, leaf("z"))
+    editor = Editor(facade(street_, Grid("w", RegionSet.parse("@Window"))))
+    before = facade_bytes(editor.facade)
+    editor.make(Edit("move", "columns", ("w",), (1,), to=(2,)))
+    assert facade_bytes(editor.facade) != before
+    editor.make(Edit("move", "columns", ("w",), (2,), to=(1,)))
+    assert facade_bytes(editor.facade) == before
+    assert not editor.moment.state.shifts
+
+
+def test_edits_go_on_from_what_was_dragged() -> None:
+    """What is inserted before a dragged window pushes it along; no other window is squeezed."""
+    editor = Editor(street())
+    editor.make(Drag("Row/Window", "left", 1.5))
+    (first,) = taken(editor, "add", "columns", ["windows"])
+    widths = [end - start for start, end in (first.sized.span(own, 0) for own in first.state.elements)]
+    assert widths == pytest.approx([widths[0]] * 3)
+    assert widths[0] == pytest.approx(editor.facade.root.children[1].width)
+
+
+def test_a_line_can_be_dragged_by_either_side() -> None:
+    editor = Editor(street())
+    editor.make(Drag("Row/Wall.2", "left", 2.5))
+    editor.make(Drag("Row/Window", "right", 3.2))
+    assert {p.path: p.box for p in place(editor.facade.root)}["Row/Window"].x1 == pytest.approx(3.2)
+
+
+def test_a_drag_that_stops_says_where_and_a_side_that_cannot_move_is_refused() -> None:
+    editor = Editor(street())
+    editor.make(Drag("Row/Window", "right", 50.0))
+    assert "went to" in editor.remarks[0]
+    for region, side in (("Row", "left"), ("Row/Window", "bottom")):
+        with pytest.raises(Refused, match="places are counted from there"):
+            editor.make(Drag(region, side, 1.0))  # type: ignore[arg-type]
+    editor.make(Drag("Row/Window", "top", 4.0))
+    assert editor.facade.root.height == pytest.approx(4.0)
+
+
+def test_a_proposal_of_another_moment_is_refused() -> None:
+    editor = Editor(street())
+    (only,) = taken(editor, "add", "columns", ["windows"])
+    editor.take(only)
+    with pytest.raises(Refused, match="another moment"):
+        editor.take(only)
+
+
+@pytest.mark.parametrize(
+    "step",
+    [
+        Resize(width=float("inf")),
+        Resize(height=float("nan")),
+        Drag("Row/Window", "left", float("nan")),
+        RegionSize("Row/Window", width=0.0),
+        Edit("add", "columns", ("nope",), (1,), (1,)),
+        Edit("add", "columns", ("windows",), (1,), ()),
+        Edit("move", "columns", ("windows",), element="Row/Window"),
+        Edit("move", "columns", ("windows",), to=(1,), element="Row/Door"),
+    ],
+)
+def test_a_step_that_makes_no_sense_is_refused_and_changes_nothing(step: Any) -> None:
+    editor = Editor(street())
+    with pytest.raises(Refused):
+        editor.make(step)
+    assert facade_bytes(editor.facade) == facade_bytes(street())
+    assert not editor.session("s", "f.xml").done
 
 
 def test_a_building_is_refused() -> None:

@@ -23,7 +23,7 @@ def _checked(seeds: range) -> Tally:
 def test_edits_of_random_trees_tile_have_one_line_more_or_fewer_and_keep_alignments(start: int) -> None:
     tally = _checked(range(start, start + 30))
     assert tally.proposed > 100
-    assert tally.restored > 0.9 * tally.added
+    assert tally.restored >= 0.97 * tally.added
 
 
 @pytest.mark.nightly
@@ -31,4 +31,4 @@ def test_edits_of_random_trees_tile_have_one_line_more_or_fewer_and_keep_alignme
 def test_edits_of_ten_thousand_random_trees(start: int) -> None:
     tally = _checked(range(start, start + 500))
     assert tally.proposed > 1000
-    assert tally.restored > 0.9 * tally.added
+    assert tally.restored >= 0.97 * tally.added

@@ -31,6 +31,7 @@ from layoutkit.model import (
     place,
 )
 from layoutkit_editing.original import Original
+from layoutkit_editing.stages.propose import brief
 
 
 def run(stage: str, facade: Facade, **options: Any) -> list[Outcome]:
@@ -108,7 +109,7 @@ def test_what_is_proposed() -> None:
         (path,) = outcome.proposal.new
         (grid,) = (grid for grid in outcome.document.grids if grid.name == "openings")
         (cells,) = grid.cells(outcome.document)
-        shown = [outcome.origins[own.path] for own in cells if own is not None]
+        shown = [pictures(outcome)[own.path] for own in cells if own is not None]
         (at,), (source,) = outcome.proposal.edit.at, outcome.proposal.edit.source
         assert cells[at - 1] is not None
         assert cells[at - 1].path == path
@@ -129,6 +130,54 @@ def test_moved_elements_are_new() -> None:
     for outcome in outcomes:
         assert isinstance(outcome.proposal, ProposedEdit)
         assert outcome.proposal.new
+
+
+def test_what_makes_room_for_what_moves_is_not_new() -> None:
+    for options in ({}, {"element": "Row/Door"}):
+        outcomes = run("propose", STREET, grids=("openings",), action="move", **options)
+        for outcome in outcomes:
+            assert isinstance(outcome.proposal, ProposedEdit)
+            assert isinstance(outcome.document, Facade)
+            (path,) = outcome.proposal.new
+            (cells,) = outcome.document.grids[0].cells(outcome.document)
+            place_taken = cells[outcome.proposal.edit.to[0] - 1]
+            assert place_taken is not None
+            assert place_taken.path == path
+
+
+def test_long_reasons_are_told_in_brief() -> None:
+    """The first clauses, as far as they can be read at a glance; programs get them whole."""
+    rules = [f"the part number {number} stays of one size" for number in range(9)]
+    reason = f"these cannot hold together: {'; '.join(rules)}"
+    assert brief("nothing would move") == "nothing would move"
+    assert brief(reason) == f"these cannot hold together: {'; '.join(rules[:3])}; and 6 more"
+    assert brief("word " * 99).endswith("word …")
+    assert len(brief("word " * 99)) <= 162
+
+
+@pytest.mark.parametrize("constraints", [(), (Size(of=RegionSet("@Door"), max=Measure(9.0)),)])
+def test_only_constraints_that_are_there_can_be_loosened(constraints: tuple[Size, ...]) -> None:
+    single = replace(gridded(STREET, doors=("Row/Door",)), constraints=constraints)
+    (diagnostic,) = run("propose", single, grids=("doors",), action="remove")[-1].diagnostics
+    assert ("loosen" in diagnostic.hint) == bool(constraints)
+
+
+def test_one_region_and_all_like_it() -> None:
+    (outcome,) = run("grids", replace(STREET, grids=()), like=("Row/Window.2",))
+    assert isinstance(outcome.document, Facade)
+    (grid,) = outcome.document.grids
+    assert (grid.name, grid.elements) == ("window", ("Row/Window", "Row/Window.2"))
+
+
+def test_a_drag_that_stops_is_told() -> None:
+    wide = Drag("Row/Window", "right", 50.0)
+    (outcome,) = run("edit", STREET, then=wide)
+    (note,) = (d for d in outcome.diagnostics if d.code == "LK659")
+    assert note.severity is Severity.NOTE
+    assert note.message.startswith("the right side of Row/Window went to ")
+    assert note.message.endswith(", not to 50")
+    (outcome,) = run("edit", STREET, session=Session("s", "f.xml", (wide,)))
+    assert "LK659" not in {d.code for d in outcome.diagnostics}, "it was told when it was made"
 
 
 def test_what_is_taken_out_leaves_nothing_new() -> None:
@@ -208,7 +257,7 @@ def test_what_was_taken_back_is_not_made() -> None:
     (outcome,) = run("edit", STREET, session=Session("s", "f.xml", (), (Resize(width=14.0),)))
     assert isinstance(outcome.document, Facade)
     assert outcome.document.root == STREET.root
-    assert outcome.origins == {path: path for path in terminals(STREET)}
+    assert pictures(outcome) == {path: path for path in terminals(STREET)}
 
 
 def test_an_edit_that_cannot_be_made_again_is_told_at_its_place() -> None:
@@ -241,6 +290,13 @@ def test_soft_constraints_that_give_way_are_told() -> None:
     assert told([outcome]) == [("LK603", Severity.NOTE)]
 
 
+def pictures(outcome: Outcome) -> dict[str, str]:
+    """Return the region of the street that each terminal shows as a whole."""
+    boxes = {placed.box: placed.path for placed in place(STREET.root)}
+    assert outcome.origins is not None
+    return {path: boxes[piece.source] for path, (piece,) in outcome.origins.items()}
+
+
 @given(facades(2), st.data())
 @settings(max_examples=25)
 def test_any_facade_gets_outcomes(facade: Facade, data: st.DataObject) -> None:
@@ -258,7 +314,6 @@ def test_any_facade_gets_outcomes(facade: Facade, data: st.DataObject) -> None:
     }
     outcomes = run("propose", subject, **options)
     assert outcomes
-    original = set(terminals(facade))
     for outcome in outcomes:
         if isinstance(outcome.document, Facade):
             assert outcome.status == "found"
@@ -266,8 +321,12 @@ def test_any_facade_gets_outcomes(facade: Facade, data: st.DataObject) -> None:
             assert outcome.origins.keys() == set(terminals(outcome.document))
             assert isinstance(outcome.proposal, ProposedEdit)
             assert set(outcome.proposal.new) <= {placed.path for placed in place(outcome.document.root)}
-            if set(outcome.origins.values()) - original:
-                assert outcome.proposal.edit.action == "remove", "a whole region that lost its parts"
+            for pieces in outcome.origins.values():
+                shares = [piece.share.width * piece.share.height for piece in pieces]
+                assert sum(shares) == pytest.approx(1.0)
+                assert min(shares) > 0
+                shown = {edge for piece in pieces for edge in piece.source}
+                assert -1e-6 <= min(shown) <= max(shown) <= max(facade.root.width, facade.root.height) + 1e-6
         else:
             assert outcome.status == "infeasible"
             assert isinstance(outcome.proposal, DroppedEdit) or outcome is outcomes[-1]

@@ -66,4 +66,13 @@ CODES = (
         "A misspelt path; one that an edit before has changed.",
         "Correct it; `layoutkit inspect` lists the regions of an edited facade.",
     ),
+    Code(
+        "LK659",
+        "step made in part",
+        "What was asked for cannot be reached: the facade went as near as it can, and the message says where "
+        "that is.",
+        "A side that is dragged past another one; a constraint or an alignment that stops it on its way.",
+        "Nothing is needed; to get further, move or loosen what stops it.",
+        Severity.NOTE,
+    ),
 )

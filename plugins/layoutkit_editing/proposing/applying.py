@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from layoutkit_editing.naming import free_name
 from layoutkit_editing.state import COLUMNS, ROWS, Lattice, Matrix, State
-from layoutkit_editing.topology.followers import followed, outermost
+from layoutkit_editing.topology.followers import followed, outermost, trimmed
 from layoutkit_editing.topology.insertion import Embedding, Jump, insertion
 from layoutkit_editing.topology.moving import move
 from layoutkit_editing.topology.removal import removal
@@ -56,10 +56,18 @@ def applied(
         If the edit is not possible.
     """
     numbered = {name: number for number, family in enumerate(families) for name in family}
+    axis, counts = (
+        AXES[edit.axis],
+        {name: len(state.lattice(name).lines(AXES[edit.axis])) for name in numbered},
+    )
     for step, name in enumerate(_innermost_first(state, numbered)):
+        if all(
+            lattice.name != name or len(lattice.lines(axis)) != counts[name] for lattice in state.lattices
+        ):
+            continue  # it followed another one of them already, as sills follow their windows
         if step:
             spans = size(state)
-        site = Site(state, state.lattice(name), AXES[edit.axis], spans)
+        site = Site(state, state.lattice(name), axis, spans)
         state = _edited(site, edit, numbered[name], element, embedding)
     return state
 
@@ -93,9 +101,11 @@ def _edited(site: Site, edit: Edit, family: int, element: int | None, embedding:
     moved = move(site, at, _index(edit.to[family], count, site), rows)
     lattice = site.lattice.with_lines(site.axis, moved.lines)
     shifts = dict(site.state.shifts)
-    for own, along in moved.shifts.items():
-        known = shifts.get(own, (0.0, 0.0))
-        shifts[own] = (along, known[1]) if site.axis == COLUMNS else (known[0], along)
+    for own, shift in moved.shifts.items():
+        known = shifts.pop(own, (0.0, 0.0))
+        total = known[0] + shift[0], known[1] + shift[1]
+        if max(map(abs, total)) > site.state.original.tolerance:
+            shifts[own] = total
     others = (outermost(own, moved.tree) for own in site.state.lattices)
     lattices = tuple(lattice if own.name == lattice.name else own for own in others)
     return replace(site.state, tree=moved.tree, lattices=lattices, shifts=shifts)
@@ -123,13 +133,17 @@ def _jumped(site: Site, jump: Jump, lines: Matrix) -> State:
     """Return the state after a jump: other grids follow, and so does what was known of originals."""
     state, tree = site.state, jump.tree
     lattices = tuple(_lattices(site, jump, lines))
-    shifts = {own: shift for own, shift in state.shifts.items() if own in tree.nodes}
-    for own, origin in jump.origin.items():
-        if origin in state.shifts and own in tree.nodes:
-            shifts[own] = state.shifts[origin]
-    return replace(
-        state, tree=tree, lattices=lattices, shifts=shifts, targets=state.targets.among(tree.nodes)
-    )
+    shifts, rests = (_inherited(known, jump) for known in (state.shifts, state.rests))
+    targets = state.targets.among(tree.nodes)
+    return replace(state, tree=tree, lattices=lattices, shifts=shifts, targets=targets, rests=rests)
+
+
+def _inherited(known: Mapping[int, tuple[float, float]], jump: Jump) -> Mapping[int, tuple[float, float]]:
+    """Return what is known of nodes that are still there, and of copies what is known of their originals."""
+    nodes = jump.tree.nodes
+    found = {own: what for own, what in known.items() if own in nodes}
+    found.update((own, known[of]) for own, of in jump.origin.items() if of in known and own in nodes)
+    return found
 
 
 def _lattices(site: Site, jump: Jump, lines: Matrix) -> Iterator[Lattice]:
@@ -138,7 +152,7 @@ def _lattices(site: Site, jump: Jump, lines: Matrix) -> Iterator[Lattice]:
     copies = list[Lattice]()
     for lattice in site.state.lattices:
         if lattice.name == site.lattice.name:
-            yield lattice.with_lines(site.axis, lines)
+            yield trimmed(lattice.with_lines(site.axis, lines))
             continue
         own, *further = followed(lattice, jump.tree, jump.origin, site.axis)
         if own.cells:

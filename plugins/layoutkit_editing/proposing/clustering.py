@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from layoutkit_editing.grids.labels import name_of, worth_of
 from layoutkit_editing.proposing.applying import AXES
 
 if TYPE_CHECKING:
@@ -30,6 +31,8 @@ MOST = 6
 SPACING = 0.25
 #: Distortions that agree to so many decimals are about the same.
 ABOUT = 2
+#: What is worth so much is an element that people look at; and what of its size are steps of strain.
+WORTHY, STRAINS = 0.5, (1.15, 1.4, 2.0)
 #: Stands behind the end of a grid's lines.
 _NOTHING = -2
 
@@ -39,8 +42,9 @@ def ordered(
 ) -> list[tuple[Proposal, int]]:
     """Return proposals in the order in which to show them, each with the number of its group.
 
-    Better are those that distort less; of those that distort about as much, those in which fewer lines stand
-    beside others than they did: a copy of the ground floor is rather a second ground floor than an attic.
+    Better are those in which no window, door or the like is much larger or smaller than it was; then those
+    that distort less as a whole; of those that distort about as much, those in which fewer lines stand beside
+    others than they did: a copy of the ground floor is rather a second ground floor than an attic.
     Groups are numbered by their best proposal. Of each group in turn the best one is shown, then the next
     of each, and so on; ties go by the order given.
 
@@ -49,8 +53,15 @@ def ordered(
     signatures
         Of the facade before the edit.
     """
+    worthy = np.array([worth_of(name_of(placed.region)) >= WORTHY for placed in before.original.places])
     ranked = [
-        (round(each.sized.distortion, ABOUT), _news(before, each, signatures), each.sized.distortion, number)
+        (
+            _strained(each, worthy),
+            round(each.sized.distortion, ABOUT),
+            _news(before, each, signatures),
+            each.sized.distortion,
+            number,
+        )
         for number, each in enumerate(proposals)
     ]
     best = [proposals[number] for *_, number in sorted(ranked)]
@@ -63,6 +74,16 @@ def ordered(
         seen[number] = seen.get(number, -1) + 1
         ranks.append((seen[number], number, place))
     return [(best[place], number) for _, number, place in sorted(ranks)]
+
+
+def _strained(proposal: Proposal, worthy: NDArray[np.bool_]) -> int:
+    """Return how much the worst terminal of some sources is off its size: 0 little, more in steps."""
+    flat, sizes = proposal.sized.flat, proposal.state.original.sizes
+    own = flat.terminals[worthy[flat.sources[flat.terminals]]]
+    places = proposal.sized.places[:, own]
+    shares = (places[:, :, 1] - places[:, :, 0]) / sizes[:, flat.sources[own]]
+    worst = float(np.abs(np.log(shares)).max(initial=0.0))
+    return sum(worst > math.log(step) for step in STRAINS)
 
 
 def _news(before: State, proposal: Proposal, signatures: Signatures) -> int:

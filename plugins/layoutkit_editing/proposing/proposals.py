@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import TYPE_CHECKING
@@ -12,12 +13,15 @@ from layoutkit_editing.proposing.applying import AXES
 from layoutkit_editing.proposing.settling import Judge, ways
 from layoutkit_editing.proposing.signatures import Signatures
 from layoutkit_editing.sizing.solving import Sized
-from layoutkit_editing.state import Lattice, State
+from layoutkit_editing.state import Lattice, Matrix, State
 from layoutkit_editing.topology.site import Refused, Spans
+from layoutkit_editing.tree import Tree
 
 if TYPE_CHECKING:
     from layoutkit.model.session import Action, Axis
 
+#: So many combinations of sources and places are gone through.
+MOST = 400
 #: A place in one grid: which line, and where to; 0 where there is no such number.
 Choice = tuple[int, int]
 
@@ -34,11 +38,14 @@ class Proposal:
         The facade after it.
     sized
         Its sizes.
+    before
+        The facade's tree before it: a proposal can be taken there alone.
     """
 
     edit: Edit
     state: State
     sized: Sized
+    before: Tree
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,8 +69,8 @@ class Wish:
     Attributes
     ----------
     grids
-        Names of the active grids. Those of equal shape and element types are edited alike; else every place
-        in one goes with every place in the others.
+        Names of the active grids. Those with equally many columns, or rows, are edited alike; else every
+        place in one goes with every place in the others.
     element
         The one element to move, if it is no whole line: its node, and its path.
     width, height
@@ -95,7 +102,7 @@ def proposals(
         Sizes states, and says which must not be shown.
     """
     signatures = Signatures(types, state.tree)
-    groups = lockstep(state, wish.grids, signatures)
+    groups = lockstep(state, wish.grids, AXES[wish.axis])
     known = {signatures[state.tree.root]}
     element = wish.element[0] if wish.element else None
     for edit in _edits(state, wish, groups, signatures):
@@ -111,7 +118,7 @@ def proposals(
                 break
             known.add(own)
             try:
-                yield Proposal(edit, after, judge.settled(after, wish.grids))
+                yield Proposal(edit, *judge.settled(after, wish.grids), state.tree)
                 break
             except Refused as refused:
                 reasons.append(str(refused))
@@ -119,13 +126,11 @@ def proposals(
             yield Dropped(edit, reasons[0])
 
 
-def lockstep(state: State, names: Sequence[str], signatures: Signatures) -> tuple[tuple[str, ...], ...]:
-    """Return the names of grids that are edited alike, together: those of equal shape and element types."""
-    groups: dict[object, list[str]] = {}
+def lockstep(state: State, names: Sequence[str], axis: int) -> tuple[tuple[str, ...], ...]:
+    """Return the names of grids that are edited alike, together: those with as many columns, or rows."""
+    groups: dict[int, list[str]] = {}
     for name in names:
-        rows = state.lattice(name).cells
-        looks = tuple(tuple(None if own is None else signatures[own] for own in row) for row in rows)
-        groups.setdefault(looks, []).append(name)
+        groups.setdefault(len(state.lattice(name).lines(axis)), []).append(name)
     return tuple(map(tuple, groups.values()))
 
 
@@ -133,7 +138,12 @@ def _edits(
     state: State, wish: Wish, groups: Sequence[Sequence[str]], signatures: Signatures
 ) -> Iterator[Edit]:
     """Yield every edit that a wish may mean."""
-    choices = [tuple(_choices(state.lattice(group[0]), wish, signatures)) for group in groups]
+    choices = [tuple(_choices([state.lattice(name) for name in group], wish, signatures)) for group in groups]
+    if (count := math.prod(map(len, choices))) > MOST:
+        raise Refused(
+            f"the grids have different numbers of {wish.axis}, which makes {count} combinations: "
+            f"edit them one after the other (together, {MOST} at most are gone through)"
+        )
     names = tuple(name for group in groups for name in group)
     for picked in product(*choices):
         source, to = tuple(p[0] for p in picked), tuple(p[1] for p in picked)
@@ -149,23 +159,25 @@ def _edits(
             yield replace(edit, source=(), to=to, element=wish.element[1])
 
 
-def _choices(lattice: Lattice, wish: Wish, signatures: Signatures) -> Iterable[Choice]:
-    """Return which lines of a grid, and which places for them, there are: both counted from 1."""
-    lines = lattice.lines(AXES[wish.axis])
-    numbers = range(1, len(lines) + 1)
+def _choices(lattices: Sequence[Lattice], wish: Wish, signatures: Signatures) -> Sequence[Choice]:
+    """Return which lines of like grids, and which places for them, there are: both counted from 1."""
+    by_grid = [lattice.lines(AXES[wish.axis]) for lattice in lattices]
+    count = len(by_grid[0])
+    numbers = range(1, count + 1)
     if wish.element is not None:
-        own = next((n for n, line in enumerate(lines, 1) if wish.element[0] in line), 0)
+        own = next((n for n, line in enumerate(by_grid[0], 1) if wish.element[0] in line), 0)
         return [(0, number) for number in numbers if number != own]
     if wish.action == "add":
-        return product(_unique(lines, signatures), range(1, len(lines) + 2))
+        return list(product(_unique(by_grid, signatures), range(1, count + 2)))
     if wish.action == "remove":
         return [(number, 0) for number in numbers]
     return [(one, other) for one in numbers for other in numbers if one != other]
 
 
-def _unique(lines: Sequence[Sequence[int | None]], signatures: Signatures) -> list[int]:
-    """Return the numbers of the source lines: of lines that look alike, the first."""
-    first: dict[tuple[int | None, ...], int] = {}
-    for number, line in enumerate(lines, 1):
-        first.setdefault(tuple(None if own is None else signatures[own] for own in line), number)
+def _unique(by_grid: Sequence[Matrix], signatures: Signatures) -> list[int]:
+    """Return the numbers of the source lines: of lines that look alike in all grids, the first."""
+    first: dict[tuple[tuple[int | None, ...], ...], int] = {}
+    for number, lines in enumerate(zip(*by_grid, strict=True), 1):
+        looks = tuple(tuple(None if own is None else signatures[own] for own in line) for line in lines)
+        first.setdefault(looks, number)
     return list(first.values())

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from layoutkit_editing.natural import naturally_sized
 from layoutkit_editing.proposing.applying import applied
-from layoutkit_editing.proposing.checks import torn
+from layoutkit_editing.proposing.checks import rearranged, torn
 from layoutkit_editing.sizing.solving import Sized, Unsizable, sized
 from layoutkit_editing.state import State
 from layoutkit_editing.topology.insertion import EMBEDDINGS
@@ -26,6 +26,10 @@ def nothing(state: State) -> str:
 def kept(state: State, found: Sized) -> str:
     """Find nothing broken."""
     return ""
+
+
+#: So often the rows and columns of other grids are told anew, and sizes found for them.
+_ROUNDS = 5
 
 
 @dataclass(frozen=True)
@@ -59,8 +63,10 @@ class Judge:
             raise Refused(found.reason)
         return found.span
 
-    def settled(self, state: State, names: Sequence[str]) -> Sized:
-        """Return the sizes of a state after some of its grids were edited.
+    def settled(self, state: State, names: Sequence[str]) -> tuple[State, Sized]:
+        """Return a state after some of its grids were edited, and its sizes.
+
+        Of other grids, rows and columns are told anew where elements came to overlap otherwise.
 
         Raises
         ------
@@ -69,12 +75,17 @@ class Judge:
         """
         if reason := self.forbidden(state):
             raise Refused(reason)
-        found = naturally_sized(state, self.size)
-        if isinstance(found, Unsizable):
-            raise Refused(found.reason)
-        if reason := torn(state, found, names) or self.broken(state, found):
-            raise Refused(reason)
-        return found
+        for _ in range(_ROUNDS):
+            found = naturally_sized(state, self.size)
+            if isinstance(found, Unsizable):
+                raise Refused(found.reason)
+            told = rearranged(state, found)
+            if reason := torn(state, told, names) or self.broken(state, found):
+                raise Refused(reason)
+            if told is state:
+                return state, found
+            state = told
+        raise Refused("elements of other grids find no rows and columns to stand in")
 
 
 def ways(
@@ -107,7 +118,7 @@ def made(
         try:
             if isinstance(after, Refused):
                 raise after
-            return after, judge.settled(after, edit.grids)
+            return judge.settled(after, edit.grids)
         except Refused as refused:
             reasons.append(refused)
     raise reasons[0]

@@ -90,7 +90,7 @@ class Axis:
     @cached_property
     def springs(self) -> Springs:
         """What sizes cost."""
-        return Springs.of(self.flat, self.sources, self.number)
+        return Springs.of(self.flat, self.sources, self.number, self.state.rests)
 
     @cached_property
     def lines(self) -> tuple[Ints, Ints]:

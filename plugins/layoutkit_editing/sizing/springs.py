@@ -9,6 +9,7 @@ weights are capped.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -45,11 +46,15 @@ class Springs:
     least: Floats
 
     @classmethod
-    def of(cls, flat: Flat, sources: Sources, axis: int) -> Springs:
-        """Return the springs of a tree."""
+    def of(
+        cls, flat: Flat, sources: Sources, axis: int, resting: Mapping[int, tuple[float, float]]
+    ) -> Springs:
+        """Return the springs of a tree; some terminals rest at other sizes than their sources'."""
         terminal = flat.along == TERMINAL
         stiffness = np.where(terminal, sources.weights[flat.sources], 0.0)
         rests = np.where(terminal, sources.sizes[axis][flat.sources], 0.0)
+        for own, size in resting.items():
+            rests[flat.index[own]] = size[axis]
         least = np.where(terminal, sources.least[axis][flat.sources], 0.0)
         for level in reversed(flat.levels):
             inner, rest = stiffness[level.start : level.end], rests[level.start : level.end]

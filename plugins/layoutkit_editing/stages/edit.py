@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.diagnostics import Diagnostic
+from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.hooks.builtin import layoutkit_qp_backends
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Drag, Edit, Facade, RegionSize, Session, Step
@@ -17,6 +17,7 @@ from layoutkit_editing.topology.site import Refused
 
 if TYPE_CHECKING:
     from layoutkit.sizing.qp import Backend
+    from layoutkit_editing.editor import Editor
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class MakeEdits(Stage):
     options: ClassVar[type] = MakeEditsOptions
 
     def run(self, facade: Facade, options: MakeEditsOptions) -> Iterator[Outcome]:
-        """Yield the edited facade once, with its origins.
+        """Yield the edited facade once, with its origins; notes say what the further step did not reach.
 
         Raises
         ------
@@ -70,9 +71,18 @@ class MakeEdits(Stage):
                     yield Outcome("infeasible", None, (_refused(then, refused),), seconds)
                     return
             moment = editor.moment
-            found, notes = moment.facade, tuple(unkept(moment))
+            found, notes = moment.facade, (*_unreached(editor, then), *unkept(moment))
         seconds = time.perf_counter() - start
         yield Outcome("found", found, notes, seconds, origins=moment.origins)
+
+
+def _unreached(editor: Editor, then: Step | None) -> Iterator[Diagnostic]:
+    """Yield a note of all that the further step asked for and did not get."""
+    for remark in editor.remarks if then is not None else ():
+        reached, _, obstacle = remark.partition(": ")
+        why = (obstacle,) if obstacle else ()
+        hint = "the facade went as near as it can: move or loosen what stops it"
+        yield Diagnostic("LK659", reached, None, hint, Severity.NOTE, TOPIC, why)
 
 
 def _named(step: Step) -> str | None:

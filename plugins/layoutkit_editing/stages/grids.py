@@ -21,8 +21,8 @@ class FindGridsOptions:
     Attributes
     ----------
     like
-        Unique paths of regions that are to be a grid; other grids like it are found as well. Without them,
-        all grids are looked for that seem useful.
+        Unique paths of regions that are to be a grid; other grids like it are found as well. One alone stands
+        for all regions like it, which are one grid. Without them, all grids are looked for that seem useful.
     limit
         How many grids are added at most; None: as many as there are.
     """
@@ -65,11 +65,31 @@ def _selected(original: Original, paths: Sequence[str]) -> tuple[Grid, ...]:
     from layoutkit_editing.grids.lattices import lattice_of
 
     elements = tuple(dict.fromkeys(paths))
+    if len(elements) == 1:
+        return (_all_like(original, elements[0]),)
     chosen = Grid(_name(elements), elements=elements)
     lattice = lattice_of(original, chosen)  # which raises what is wrong with it
     order = sorted(lattice.elements)
     chosen = replace(chosen, elements=tuple(original.places[source].path for source in order))
     return (chosen, *like_grids(original, original.facade.grids, chosen))
+
+
+def _all_like(original: Original, path: str) -> Grid:
+    """Return one region and all like it as a grid.
+
+    Raises
+    ------
+    Faulty
+        If the region is not there (LK241).
+    """
+    from layoutkit_editing.grids.lattices import lattice_of
+    from layoutkit_editing.grids.likeness import types as types_of
+
+    alone = Grid(_name((path,)), elements=(path,))
+    (own,) = lattice_of(original, alone).elements
+    types = types_of(original)
+    like = (types == types[own]).nonzero()[0].tolist()
+    return replace(alone, elements=tuple(original.places[source].path for source in like))
 
 
 def _name(paths: Sequence[str]) -> str:

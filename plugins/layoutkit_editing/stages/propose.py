@@ -13,6 +13,7 @@ from layoutkit.hooks.builtin import layoutkit_qp_backends
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import DroppedEdit, Facade, Measure, ProposedEdit, Session
 from layoutkit.model.told import told
+from layoutkit_editing.proposing.applying import AXES
 from layoutkit_editing.stages.begun import TOPIC, begun, no_region, unkept
 from layoutkit_editing.topology.site import Refused
 
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 #: So many of what is alike are told one by one.
 TOLD = 8
+#: Of longer reasons than this, in characters, the beginning is told.
+LONGEST = 160
 #: What could not be done.
 _FAILED = {
     "add": "no {line} can be added to {grids}",
@@ -93,7 +96,7 @@ class Propose(Stage):
             try:
                 found = _proposals(editor, options)
             except Refused as refused:
-                yield Outcome("infeasible", None, (_nothing(options, [str(refused)]),))
+                yield Outcome("infeasible", None, (_nothing(editor, options, [str(refused)]),))
                 return
             yield from _outcomes(editor, options, found, time.perf_counter() - start)
 
@@ -136,22 +139,34 @@ def _outcomes(
 
     kept = [each for each in found if not isinstance(each, Dropped)]
     lost = [DroppedEdit(each.edit, each.reason) for each in found if isinstance(each, Dropped)]
-    before = editor.moment.state
+    groups = _groups(editor.moment.state, options)
     for proposal, cluster in editor.ordered(kept):
-        yield _proposed(before, proposal, cluster, seconds / len(kept))
+        yield _proposed(editor.moment, groups, proposal, cluster, seconds / len(kept))
     notes = tuple(_notes(lost)) if kept else ()
     for number, dropped in enumerate(lost, 1):
         yield Outcome("infeasible", None, notes if number == len(lost) else (), proposal=dropped)
     if not kept:
-        yield Outcome("infeasible", None, (_nothing(options, [*map(_line, _folded(lost))]),), seconds)
+        none = _nothing(editor, options, [*map(_line, _folded(lost))], _whole(lost))
+        yield Outcome("infeasible", None, (none,), seconds)
 
 
-def _proposed(before: State, proposal: Proposal, cluster: int, seconds: float) -> Outcome:
+def _groups(state: State, options: ProposeOptions) -> Sequence[Sequence[str]]:
+    """Return the names of the grids whose lines are moved, those together that are edited alike."""
+    from layoutkit_editing.proposing.proposals import lockstep
+
+    if options.action != "move":
+        return ()
+    return lockstep(state, tuple(dict.fromkeys(options.grids)), AXES[options.axis])
+
+
+def _proposed(
+    before: Moment, groups: Sequence[Sequence[str]], proposal: Proposal, cluster: int, seconds: float
+) -> Outcome:
     from layoutkit_editing.moments import Moment
 
     start = time.perf_counter()
     moment = Moment(proposal.state, proposal.sized)
-    new = tuple(_new(before, moment, proposal.edit))
+    new = tuple(_new(before, moment, proposal.edit, groups))
     edit = ProposedEdit(proposal.edit, proposal.sized.distortion, cluster, new)
     notes = tuple(unkept(moment))
     facade, origins = moment.facade, moment.origins
@@ -159,13 +174,29 @@ def _proposed(before: State, proposal: Proposal, cluster: int, seconds: float) -
     return Outcome("found", facade, notes, seconds, proposal=edit, origins=origins)
 
 
-def _new(before: State, moment: Moment, edit: Edit) -> Iterator[str]:
-    """Yield the paths of the elements of edited grids that were not there before, or stood elsewhere."""
-    after = moment.state
-    edited = (lattice.elements for lattice in after.lattices if lattice.name in edit.grids)
-    for own in dict.fromkeys(chain.from_iterable(edited)):
-        if own not in before.tree.nodes or after.shifts.get(own) != before.shifts.get(own):
-            yield moment.named.paths[own]
+def _new(before: Moment, after: Moment, edit: Edit, groups: Sequence[Sequence[str]]) -> Iterator[str]:
+    """Yield the paths of the elements of edited grids that were not there before, or that were moved.
+
+    What only made room for them is not among these.
+    """
+    if edit.action == "move":
+        chosen = _moved(before, edit, groups)
+    else:
+        edited = (lattice.elements for lattice in after.state.lattices if lattice.name in edit.grids)
+        known = before.state.tree.nodes
+        chosen = (own for own in chain.from_iterable(edited) if own not in known)
+    yield from (after.named.paths[own] for own in dict.fromkeys(chosen))
+
+
+def _moved(before: Moment, edit: Edit, groups: Sequence[Sequence[str]]) -> Iterator[int]:
+    """Yield the one element that an edit moves, or those of the lines that it moves."""
+    if edit.element is not None:
+        yield before.by_path[edit.element]
+        return
+    for source, group in zip(edit.source, groups, strict=True):
+        for name in group:
+            line = before.state.lattice(name).lines(AXES[edit.axis])[source - 1]
+            yield from (own for own in line if own is not None)
 
 
 def _notes(lost: Sequence[DroppedEdit]) -> Iterator[Diagnostic]:
@@ -176,13 +207,15 @@ def _notes(lost: Sequence[DroppedEdit]) -> Iterator[Diagnostic]:
     message = "a proposal is dropped" if len(lost) == 1 else f"{len(lost)} proposals are dropped"
     details = list(map(_line, folded))
     if len(folded) == 1:
-        message, details = f"{message}: {folded[0][0]}", list(map(told, folded[0][1]))
+        message, details = f"{message}: {brief(folded[0][0])}", list(map(told, folded[0][1]))
     if len(details) > TOLD:
         details[TOLD:] = [f"and {len(details) - TOLD} more"]
-    yield Diagnostic("LK655", message, None, "", Severity.NOTE, TOPIC, tuple(details))
+    yield Diagnostic("LK655", message, None, _whole(lost), Severity.NOTE, TOPIC, tuple(details))
 
 
-def _nothing(options: ProposeOptions, reasons: Sequence[str]) -> Diagnostic:
+def _nothing(
+    editor: Editor, options: ProposeOptions, reasons: Sequence[str], further: str = ""
+) -> Diagnostic:
     """Return what is said where there is no proposal."""
     line = "column" if options.axis == "columns" else "row"
     message = _FAILED[options.action].format(line=line, grids=", ".join(options.grids))
@@ -191,7 +224,10 @@ def _nothing(options: ProposeOptions, reasons: Sequence[str]) -> Diagnostic:
     shown = tuple(reasons[:TOLD]) or ("all that it comes to looks like the facade as it is",)
     if len(reasons) > TOLD:
         shown += (f"and {len(reasons) - TOLD} reasons more",)
-    hint = "edit another grid, or along the other axis, or loosen what the reasons name"
+    hint = "edit another grid, or along the other axis"
+    if editor.facade.constraints:
+        hint += ", or loosen what the reasons name"
+    hint = "; ".join(filter(None, (hint, further)))
     return Diagnostic("LK653", message, None, hint, topic=TOPIC, details=shown)
 
 
@@ -206,4 +242,20 @@ def _folded(lost: Sequence[DroppedEdit]) -> list[tuple[str, list[Edit]]]:
 def _line(folded: tuple[str, Sequence[Edit]]) -> str:
     reason, edits = folded
     more = f" and {len(edits) - 1} more" if len(edits) > 1 else ""
-    return f"{told(edits[0])}{more}: {reason}"
+    return f"{told(edits[0])}{more}: {brief(reason)}"
+
+
+def _whole(lost: Sequence[DroppedEdit]) -> str:
+    """Return where the reasons stand whole, if some are told in brief; else nothing."""
+    cut = any(brief(dropped.reason) != dropped.reason for dropped in lost)
+    return "`layoutkit propose --json` gives the reasons whole, under `dropped`" if cut else ""
+
+
+def brief(reason: str) -> str:
+    """Return the beginning of a reason, as many of its clauses as are short enough to be read at a glance."""
+    shown, *clauses = reason.split("; ")
+    while clauses and len(shown) + len(clauses[0]) + 2 <= LONGEST:
+        shown += f"; {clauses.pop(0)}"
+    if len(shown) > LONGEST:
+        shown = f"{shown[:LONGEST].rpartition(' ')[0].rstrip(',;: ')} …"
+    return f"{shown}; and {len(clauses)} more" if clauses else shown

@@ -47,7 +47,14 @@ def outermost(lattice: Lattice, tree: Tree) -> Lattice:
     elements = set(lattice.elements)
     inside = {own for own in elements if not elements.isdisjoint(tree.ancestors(own)[1:])}
     rows = tuple(tuple(None if own in inside else own for own in row) for row in lattice.cells)
-    return Lattice(lattice.name, _trimmed(rows))
+    return trimmed(Lattice(lattice.name, rows))
+
+
+def trimmed(lattice: Lattice) -> Lattice:
+    """Return a grid without lines of phantoms alone, in either direction."""
+    kept = [row for row in lattice.cells if any(own is not None for own in row)]
+    columns = [column for column in zip(*kept, strict=True) if any(own is not None for own in column)]
+    return Lattice(lattice.name, tuple(zip(*columns, strict=True)))
 
 
 def _copies(lattice: Lattice, tree: Tree, origin: Mapping[int, int]) -> list[Mapping[int, int]]:
@@ -65,13 +72,6 @@ def _copies(lattice: Lattice, tree: Tree, origin: Mapping[int, int]) -> list[Map
 
 def _without_gone(lines: Matrix, tree: Tree) -> Matrix:
     return tuple(tuple(own if own in tree.nodes else None for own in line) for line in lines)
-
-
-def _trimmed(lines: Matrix) -> Matrix:
-    """Return lines without those of phantoms alone, in either direction."""
-    kept = [line for line in lines if any(own is not None for own in line)]
-    rows = [row for row in zip(*kept, strict=True) if any(own is not None for own in row)]
-    return tuple(zip(*rows, strict=True))
 
 
 def _joined(lines: Matrix, joining: Mapping[int, list[int]], tree: Tree, axis: int) -> Matrix:

@@ -6,7 +6,7 @@ might be more intuitive (Dang et al. 2014, section 6).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from layoutkit_editing.state import Matrix
@@ -23,12 +23,13 @@ class Moved:
     lines
         The grid's lines, as they now are.
     shifts
-        For each element that moved, how far along the axis it is from its place to the one that it took over.
+        For each element that moved, how far it is from where it stood to the place that it took over, along x
+        and down: across the axis only if it left behind what it stood in.
     """
 
     tree: Tree
     lines: Matrix
-    shifts: Mapping[int, float] = field(default_factory=dict)
+    shifts: Mapping[int, tuple[float, float]] = field(default_factory=dict)
 
 
 def move(site: Site, at: int, to: int, rows: Sequence[int] | None = None) -> Moved:
@@ -62,10 +63,10 @@ def move(site: Site, at: int, to: int, rows: Sequence[int] | None = None) -> Mov
                 taken[place] = element
     if not taken:
         raise Refused("nothing would move")
-    tree = _exchanged(site, taken)
-    return Moved(
-        tree, tuple(map(tuple, lines)), {own: _shift(site, own, place) for place, own in taken.items()}
-    )
+    carriers = _carriers(site, taken)
+    axes = (site.axis,) if carriers else (0, 1)
+    shifts = {own: _shift(site, own, place, axes) for place, own in taken.items()}
+    return Moved(_exchanged(site, carriers or taken), tuple(map(tuple, lines)), shifts)
 
 
 def _slots(site: Site, row: int, at: int, to: int) -> list[int]:
@@ -74,20 +75,21 @@ def _slots(site: Site, row: int, at: int, to: int) -> list[int]:
     return [slot for slot in range(at, to + step, step) if site.lines[slot][row] is not None]
 
 
-def _shift(site: Site, own: int, place: int) -> float:
-    """Return how far along the axis the centre of one element is from that of another, in the original."""
-    nodes, spans = site.tree.nodes, site.state.original.spans[site.axis]
-    known = site.state.shifts
-    centres = [
-        spans[nodes[each].source].mean() + known.get(each, (0.0, 0.0))[site.axis] for each in (place, own)
-    ]
-    return float(centres[0] - centres[1])
+def _shift(site: Site, own: int, place: int, axes: Collection[int]) -> tuple[float, float]:
+    """Return how far the centre of one element is from that of another, in the original as it was shifted."""
+    nodes, spans, known = site.tree.nodes, site.state.original.spans, site.state.shifts
+    found = [0.0, 0.0]
+    for axis in axes:
+        there, here = (
+            float(spans[axis, nodes[each].source].mean()) + known.get(each, (0.0, 0.0))[axis]
+            for each in (place, own)
+        )
+        found[axis] = there - here
+    return found[0], found[1]
 
 
-def _exchanged(site: Site, taken: Mapping[int, int]) -> Tree:
-    """Return the tree with nodes in the places of others: of what carries them, where that is one to one."""
-    carriers = _carriers(site, taken)
-    instead = taken if carriers is None else carriers
+def _exchanged(site: Site, instead: Mapping[int, int]) -> Tree:
+    """Return the tree with nodes in the places of others."""
     changes: dict[int, Node] = {}
     for place in instead:
         above = site.tree.parents[place]

@@ -26,7 +26,7 @@ def removal(site: Site, at: int, gap: Gap) -> Jump:
     Raises
     ------
     Refused
-        If the grid has no other line.
+        If the grid has no other line, or nothing could take an element's room.
     """
     if len(site.lines) == 1:
         raise Refused("the grid has no other line: delete the grid's elements, or the grid, by hand")
@@ -55,10 +55,26 @@ def _doomed(site: Site, element: int, row: int, at: int, gap: Gap) -> tuple[froz
         inside = site.inside(own)
         if inside <= line:
             return inside, (own, *_gap(site, children, children.index(own), parent, others, gap))
+    return frozenset({element}), (_alone(site, element),)
+
+
+def _alone(site: Site, element: int) -> int:
+    """Return what goes with one element whose neighbours are no help: what is beside it takes its room.
+
+    Raises
+    ------
+    Refused
+        If nothing is beside it along the axis: whatever reaches across would go with it.
+    """
+    nodes, parents = site.tree.nodes, site.tree.parents
     own = element
-    while own != site.tree.root and site.inside(site.tree.parents[own]) == {element}:
-        own = site.tree.parents[own]
-    return frozenset({element}), (own,)
+    while own != site.tree.root and nodes[parents[own]].split != site.split:
+        own = parents[own]
+        if site.inside(own) != {element}:
+            own = site.tree.root
+    if own == site.tree.root:
+        raise Refused(f"nothing is beside {site.called(element)} that could take its room")
+    return own
 
 
 def _neighbours(site: Site, row: int, at: int) -> Iterator[tuple[Gap, int]]:

@@ -42,4 +42,9 @@ EXAMPLES = {
         "layoutkit apply house.xml --size House/Flor=x3.5 -o edited.xml",
         "layoutkit apply house.xml --size House/Floor=x3.5 -o edited.xml",
     ),
+    "LK659": Example(
+        EDITING,
+        "layoutkit apply house.xml --drag House/Floor/Pier:right=5.5 -o edited.xml",
+        "layoutkit apply house.xml --drag House/Floor/Pier:right=1.5 -o edited.xml",
+    ),
 }
