@@ -2,7 +2,7 @@
 
     python -m benchmarks.editing_proposals [--leaves 600] [--repeats 9] [--plain 1] [--json FILE]
 
-Two facades: `designs.front`, where columns of windows are the outermost parts, and `designs.storeys`, where
+Two facades: `designs.front`, where columns of windows are the outermost parts, and `designs.bays`, where
 each storey has bays of three kinds. Rows and columns of the grid of all windows are added and removed: every
 proposal there is, without pictures. Beside it, sizes of the proposals of the first edit by the program over
 leaf sizes (`plain_sizing`, as in section 5 of Dang et al. 2014) in cvxpy with clarabel. Aim: 100 ms in the
@@ -19,8 +19,8 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
+from benchmarks.designs.bays import bays
 from benchmarks.designs.front import front
-from benchmarks.designs.storeys import storeys
 from benchmarks.plain_sizing import PlainSizing
 from layoutkit.model import Facade, Grid, RegionSet, place
 from layoutkit.model.session import Action, Axis
@@ -68,7 +68,7 @@ def main() -> None:
     parser.add_argument("--json", type=Path, help="write the figures to this file")
     arguments = parser.parse_args()
     found = []
-    for facade in (front(arguments.leaves), storeys(arguments.leaves)):
+    for facade in (front(arguments.leaves), bays(arguments.leaves)):
         bare = replace(facade, constraints=(), grids=(Grid("windows", RegionSet.parse("@Window")),))
         for figures in measured(bare, arguments.repeats, bool(arguments.plain)):
             found.append(figures)
