@@ -270,15 +270,15 @@ class Editor:
     def _dragged(self, drag: Drag) -> Moment:
         """Return the moment after a side was dragged: to where it was to go, or as near as it can come."""
         state, height = self.moment.state, self.moment.sized.extents[1]
-        own, (axis, end) = self._node(drag.region), SIDES[drag.side]
-        line = self.moment.sized.span(own, axis)[end]
+        handle = self.handle(drag.region, drag.side)
+        axis, end = handle.axis, handle.end
+        line = self.moment.sized.span(handle.own, axis)[end]
         if (axis, end) == (1, START) and line <= state.original.tolerance:
             return self._settled(_resized(state, Resize(height=drag.to)))  # the facade's top: it gets as high
         if line <= state.original.tolerance or (axis == 1 and line >= height - state.original.tolerance):
             raise Refused(
                 f"the {drag.side} side of {drag.region} is the facade's: places are counted from there"
             )
-        handle = Handle(own, axis, end)
         found = self.workspace.drag(handle, drag.to if axis == 0 else height - drag.to)
         if isinstance(found, Unsizable):
             raise Refused(found.reason)

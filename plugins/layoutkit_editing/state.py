@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -61,12 +61,6 @@ class Targets:
     sizes: Mapping[tuple[int, int], float] = field(default_factory=dict)
     starts: Mapping[tuple[int, int], float] = field(default_factory=dict)
     ends: Mapping[tuple[int, int], float] = field(default_factory=dict)
-
-    def among(self, nodes: Collection[int]) -> Targets:
-        """Return what is asked of the whole, and of some nodes."""
-        asked = (self.sizes, self.starts, self.ends)
-        kept = ({key: to for key, to in each.items() if key[0] in nodes} for each in asked)
-        return Targets(self.extents, *kept)
 
 
 @dataclass(frozen=True, eq=False)

@@ -134,8 +134,7 @@ def _jumped(site: Site, jump: Jump, lines: Matrix) -> State:
     state, tree = site.state, jump.tree
     lattices = tuple(_lattices(site, jump, lines))
     shifts, rests = (_inherited(known, jump) for known in (state.shifts, state.rests))
-    targets = state.targets.among(tree.nodes)
-    return replace(state, tree=tree, lattices=lattices, shifts=shifts, targets=targets, rests=rests)
+    return replace(state, tree=tree, lattices=lattices, shifts=shifts, rests=rests)
 
 
 def _inherited(known: Mapping[int, tuple[float, float]], jump: Jump) -> Mapping[int, tuple[float, float]]:

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 #: The sides of a node along an axis.
 BEFORE, AFTER = 0, 1
+#: The axis along which elements are inserted, and the other one; for rows, graphs are turned first.
+ALONG, ACROSS = 0, 1
 #: How a composite is split whose children follow each other along an axis.
 SPLITS: tuple[Split, Split] = ("columns", "rows")
 

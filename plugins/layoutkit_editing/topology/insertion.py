@@ -10,6 +10,7 @@ from typing import Literal
 from layoutkit.model import Split
 from layoutkit_editing.topology.graph import (
     AFTER,
+    ALONG,
     BEFORE,
     SPLITS,
     Graph,
@@ -17,7 +18,7 @@ from layoutkit_editing.topology.graph import (
     decomposed,
     graph_of,
 )
-from layoutkit_editing.topology.pending import ALONG, Insertion, Interlocked, chained, inserted
+from layoutkit_editing.topology.pending import Insertion, Interlocked, chained, inserted
 from layoutkit_editing.topology.site import Refused, Site, common
 from layoutkit_editing.tree import NEW, Copier, Node, Tree
 

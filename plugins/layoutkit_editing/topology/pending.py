@@ -11,10 +11,8 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise, takewhile
 
-from layoutkit_editing.topology.graph import AFTER, BEFORE, Edge, Graph
-
-#: The axis along which elements are inserted here; for rows, graphs are turned first.
-ALONG, ACROSS = 0, 1
+from layoutkit_editing.topology.graph import ACROSS, AFTER, ALONG, BEFORE, Edge, Graph
+from layoutkit_editing.topology.stacking import stacked
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +77,7 @@ class Growing:
     def like(self, own: int, new: int) -> list[Edge]:
         """Return the edges that a new node has if it is to stand as another one does."""
         edges = [e for e in self.original.edges_of(own) if e[1] in self.nodes and e[2] in self.nodes]
-        return [(axis, *(new if end == own else end for end in ends)) for axis, *ends in edges]  # type: ignore[misc]
+        return [(e[0], new if e[1] == own else e[1], new if e[2] == own else e[2]) for e in edges]
 
 
 def inserted(
@@ -393,7 +391,7 @@ def _recombined(original: Graph, grown: Sequence[Growing]) -> Graph:
     whole = grown[0].graph
     for lower in grown[1:]:
         wanted = _wanted(original, [*grown])
-        whole = _stacked(whole, lower.graph, wanted)
+        whole = stacked(whole, lower.graph, wanted)
     return whole
 
 
@@ -405,44 +403,3 @@ def _wanted(original: Graph, grown: Sequence[Growing]) -> Callable[[int, int], b
         return original.has((ACROSS, origin.get(first, first), origin.get(second, second)))
 
     return wanted
-
-
-def _stacked(upper: Graph, lower: Graph, wanted: Callable[[int, int], bool]) -> Graph:
-    """Put one graph above another, joined by as many wanted edges as do not cross."""
-    bottom, top = _border(upper, AFTER), _border(lower, BEFORE)
-    for axis in (0, 1):
-        for side in (BEFORE, AFTER):
-            upper.beside[axis][side].update(lower.beside[axis][side])
-    for first, second in _matched(bottom, top, wanted):
-        upper.beside[ACROSS][AFTER][first].append(second)
-        upper.beside[ACROSS][BEFORE][second].append(first)
-    return upper
-
-
-def _border(graph: Graph, side: int) -> list[int]:
-    """Return the nodes with nothing above them, or below, from left to right."""
-    ends = [own for own in graph.nodes if not graph.beside[ACROSS][side][own]]
-    inner = 0 if side == BEFORE else -1
-    first = next(own for own in ends if not graph.beside[ALONG][BEFORE][own])
-    found = [first]
-    while following := graph.beside[ALONG][AFTER][found[-1]]:
-        found.append(following[inner])
-    return found
-
-
-def _matched(
-    bottom: Sequence[int], top: Sequence[int], wanted: Callable[[int, int], bool]
-) -> Iterator[tuple[int, int]]:
-    """Yield the pairs of a staircase from the first to the last of two borders, with the most wanted ones."""
-    best: dict[tuple[int, int], tuple[int, tuple[int, int] | None]] = {}
-    for i, first in enumerate(bottom):
-        for j, second in enumerate(top):
-            steps = [(i - 1, j), (i, j - 1)]
-            before = max((s for s in steps if s in best), key=lambda s: best[s][0], default=None)
-            best[i, j] = (best[before][0] if before else 0) + wanted(first, second), before
-    found: list[tuple[int, int]] = []
-    at: tuple[int, int] | None = (len(bottom) - 1, len(top) - 1)
-    while at is not None:
-        found.append((bottom[at[0]], top[at[1]]))
-        at = best[at][1]
-    yield from reversed(found)
