@@ -77,6 +77,32 @@ def format_fault(item: object) -> str:
     return _name_fault(item, "name") if isinstance(item, Format) else f"{item!r} is no instance of Format"
 
 
+def scene_format_fault(item: object) -> str:
+    """Say why `item` is no format of scenes; empty if it is one."""
+    from layoutkit.hooks.specs import SceneFormat
+
+    ours = isinstance(item, SceneFormat)
+    return _name_fault(item, "name") if ours else f"{item!r} is no instance of SceneFormat"
+
+
+def relationship_fault(item: object) -> str:
+    """Say why `item` is no relationship function; empty if it is one."""
+    from layoutkit.scenes.relationship import FEATURE_TYPES, QUANTITIES, Relationship
+
+    if not isinstance(item, Relationship):
+        return f"{item!r} is no instance of Relationship"
+    if fault := _name_fault(item, "name"):
+        return fault
+    own = type(item).__name__
+    for attribute, known in (("of", FEATURE_TYPES), ("quantity", QUANTITIES)):
+        if (value := getattr(item, attribute, None)) not in known:
+            return f"{own}.{attribute} is {value!r}, and none of {', '.join(known)}"
+    names = item.values
+    if not (isinstance(names, tuple) and names and all(isinstance(name, str) for name in names)):
+        return f"{own}.values is {names!r}, and no names"
+    return ""
+
+
 def backend_fault(item: object) -> str:
     """Say why `item` is no QP backend; empty if it is one."""
     from layoutkit.sizing.qp import Backend

@@ -19,7 +19,8 @@ from layoutkit.hooks.lookup import Lookup
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
-    from layoutkit.hooks.specs import Format, Stage
+    from layoutkit.hooks.specs import Format, SceneFormat, Stage
+    from layoutkit.scenes.relationship import Relationship
     from layoutkit.sizing.qp import Backend
 
 #: Environment variable: names of plugins that are not to be loaded, separated by commas.
@@ -42,6 +43,8 @@ _KINDS: Mapping[str, _Kind] = {
     ),
     "stages": _Kind("stage", "layoutkit_stages", checks.stage_fault),
     "formats": _Kind("format", "layoutkit_formats", checks.format_fault),
+    "scene_formats": _Kind("format of scenes", "layoutkit_scene_formats", checks.scene_format_fault),
+    "relationships": _Kind("relationship function", "layoutkit_relationships", checks.relationship_fault),
     "backends": _Kind("QP backend", "layoutkit_qp_backends", checks.backend_fault),
 }
 
@@ -121,6 +124,16 @@ class Host:
     def formats(self) -> Lookup[Format]:
         """Formats that ``convert`` reads, by name."""
         return self._lookup("formats")
+
+    @cached_property
+    def scene_formats(self) -> Lookup[SceneFormat]:
+        """Formats of scenes, by name."""
+        return self._lookup("scene_formats")
+
+    @cached_property
+    def relationships(self) -> Lookup[Relationship]:
+        """Relationship functions, by name."""
+        return self._lookup("relationships")
 
     @cached_property
     def backends(self) -> Lookup[Backend]:

@@ -16,11 +16,22 @@ import pluggy
 
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.diagnostics.origin import PROJECT
+from layoutkit.model import Facade
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
-    from layoutkit.model import Count, DroppedEdit, Facade, Layout, Piece, ProposedEdit
+    from layoutkit.model import (
+        Count,
+        DroppedEdit,
+        Evidence,
+        Layout,
+        Piece,
+        PlacementModel,
+        ProposedEdit,
+        Scene,
+    )
     from layoutkit.model.conflict import Explanation
+    from layoutkit.scenes.relationship import Relationship
     from layoutkit.sizing.qp import Backend
 
 #: The version of this interface. A plugin's module may state the one that it was written for, as `API`.
@@ -43,7 +54,7 @@ class Outcome:
     status
         ``found``; ``infeasible``, which is proved; or ``limit``: the budget ran out.
     document
-        The new facade or layout; None where there is none.
+        The new facade, layout, scene or fitted model; None where there is none.
     seconds
         Time spent on this one (search and sizing; no reading, writing or pictures).
     explanation
@@ -55,16 +66,19 @@ class Outcome:
     origins
         Of an edited facade: for each terminal, by its unique path, the pieces of the original facade that
         its picture is made of.
+    evidence
+        Of a scene with placements: what speaks for them, where that is asked for.
     """
 
     status: Status
-    document: Facade | Layout | None
+    document: Facade | Layout | Scene | PlacementModel | None
     diagnostics: tuple[Diagnostic, ...] = ()
     seconds: float = 0.0
     explanation: Explanation | None = None
     count: Count | None = None
     proposal: ProposedEdit | DroppedEdit | None = None
     origins: Mapping[str, tuple[Piece, ...]] | None = None
+    evidence: Evidence | None = None
 
 
 class Stage(ABC):
@@ -74,6 +88,8 @@ class Stage(ABC):
     ----------
     name
         What commands ask for, e.g. ``relayout``.
+    takes
+        What it works on: `layoutkit.model.Facade`, or `layoutkit.model.Scene`.
     summary
         What it does, in one sentence.
     options
@@ -84,14 +100,15 @@ class Stage(ABC):
     name: ClassVar[str]
     summary: ClassVar[str]
     options: ClassVar[type]
+    takes: ClassVar[type] = Facade
 
     @abstractmethod
-    def run(self, facade: Facade, options: Any) -> Iterator[Outcome]:
+    def run(self, document: Any, options: Any, /) -> Iterator[Outcome]:
         """Yield the results, each as soon as it is there.
 
         Parameters
         ----------
-        facade
+        document
             What to work on.
         options
             An instance of the class's `options`.
@@ -127,6 +144,45 @@ class Format(ABC):
         """
 
 
+class SceneFormat(ABC):
+    """Reads scenes that others drew.
+
+    Attributes
+    ----------
+    name
+        What ``convert --format`` takes, e.g. ``geojson``.
+    summary
+        What it reads, in one sentence.
+    """
+
+    name: ClassVar[str]
+    summary: ClassVar[str]
+
+    @abstractmethod
+    def recognises(self, path: Path, head: bytes) -> bool:
+        """Tell whether the file, whose first bytes are `head`, seems to be of this format."""
+
+    def parts(self, path: Path) -> Sequence[str]:
+        """Return the names of the scenes in a file: layers, rooms, flats. By default there is one, unnamed.
+
+        Raises
+        ------
+        Faulty
+            If nothing can be made of the file.
+        """
+        return ("",)
+
+    @abstractmethod
+    def read(self, path: Path, part: str) -> tuple[Scene, Sequence[Diagnostic]]:
+        """Return the scene of one of its `parts`, and remarks on defects survived.
+
+        Raises
+        ------
+        Faulty
+            If nothing can be made of the file, or it has no such part.
+        """
+
+
 class Hooks:
     """The hooks. Each is called once, when the program starts to need it."""
 
@@ -145,3 +201,11 @@ class Hooks:
     @hookspec
     def layoutkit_qp_backends(self) -> Iterable[Backend]:  # type: ignore[empty-body]  # a specification
         """Return solvers of quadratic programs."""
+
+    @hookspec
+    def layoutkit_scene_formats(self) -> Iterable[SceneFormat]:  # type: ignore[empty-body]  # a specification
+        """Return formats of scenes."""
+
+    @hookspec
+    def layoutkit_relationships(self) -> Iterable[Relationship]:  # type: ignore[empty-body]  # a specification
+        """Return functions that relate points and poses to what stands in a scene."""

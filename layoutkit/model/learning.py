@@ -1,0 +1,89 @@
+"""Placement models: shape placements learned from examples (Guerrero et al. 2015, section 3.4)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from layoutkit.model.facade import Units
+from layoutkit.model.scene import Placement, Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A placement that was shown, and what stands about it.
+
+    Attributes
+    ----------
+    scene
+        Without the placed shape, and without others of its kind.
+    placement
+        Where the shape stands; its score is the target value, 1 if it has none.
+    """
+
+    scene: Scene
+    placement: Placement
+
+
+def _setting(default: Any, help: str) -> Any:
+    return field(default=default, metadata={"help": help})
+
+
+@dataclass(frozen=True, slots=True)
+class LearningSettings:
+    """What learning goes by.
+
+    Every field has a help text in its metadata, from which documents' schema and commands' options follow.
+    """
+
+    precision: float = _setting(
+        1.0, "Factor on all tolerances (the paper's tau): below 1 is stricter, above 1 more tolerant."
+    )
+    regularisation: float = _setting(
+        0.1, "The regression's lambda, as a share of the mean similarity of the examples to themselves."
+    )
+    reach: float = _setting(
+        1.0,
+        "Standard deviation of what distances count, in diagonals of the placed shape: elements that are "
+        "farther away count less; 0: all count alike.",
+    )
+    hierarchy: bool = _setting(
+        True,
+        "Whether a shape is related only to the polygon that it stands in, and to what else stands there.",
+    )
+    aligned: bool = _setting(True, "Whether shapes take the orientation of the polygon that they stand in.")
+    shape_tolerance: float = _setting(
+        0.5, "Standard deviation of the logarithm of width by height; 0: any shape will do."
+    )
+    area_tolerance: float = _setting(
+        0.7, "Standard deviation of the logarithm of the area; 0: any size will do."
+    )
+    overlapping: bool = _setting(False, "Whether shapes that are placed may overlap each other.")
+    crossing: bool = _setting(
+        False, "Whether shapes may overlap polygons of labels that no example overlaps."
+    )
+    relationships: tuple[str, ...] = _setting(
+        (), "Names of the relationship functions that count; none named: those of the paper."
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class PlacementModel:
+    """What was learned from examples: enough to rate any placement in any scene.
+
+    Attributes
+    ----------
+    label
+        What is placed.
+    examples
+        What it was learned from, each scene no more than what counts.
+    weights
+        How much the similarity to each example counts (the paper's adjusted target values).
+    """
+
+    name: str
+    units: Units
+    label: str
+    examples: tuple[Example, ...]
+    weights: tuple[float, ...]
+    settings: LearningSettings = LearningSettings()

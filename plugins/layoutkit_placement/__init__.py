@@ -1,0 +1,1 @@
+"""Placement by example: one pose propagated, or shape placements learned from several (Guerrero et al.)."""
