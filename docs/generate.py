@@ -232,11 +232,17 @@ def _command(name: str, command: Any) -> list[str]:
         "| argument or option | |",
         "|---|---|",
     ]
-    lines += [_parameter(parameter) for parameter in command.params]
+    lines += [_parameter(parameter) for parameter in _parameters(command)]
     lines += ["", inspect.cleandoc(command.epilog).replace("`\n\n- `", "`\n- `")]
     for inner_name, inner in getattr(command, "commands", {}).items():
         lines += _command(f"{name} {inner_name}", inner)
     return lines
+
+
+def _parameters(command: Any) -> list[Any]:
+    """Return the arguments and options of a command, those included that a stage declares."""
+    context = command.make_context(command.name, [], resilient_parsing=True)
+    return [parameter for parameter in command.get_params(context) if parameter.name != "help"]
 
 
 def _parameter(parameter: Any) -> str:

@@ -1,10 +1,11 @@
-"""The facades that come with the program: designs of our own, each with its picture."""
+"""What comes with the program: facades, each with its picture, and scenes; designs of our own."""
 
 from __future__ import annotations
 
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from layoutkit.diagnostics import Diagnostic, Faulty, did_you_mean
 from layoutkit.shipped import shipped
@@ -12,7 +13,7 @@ from layoutkit.shipped import shipped
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """A design that comes with the program.
+    """A facade that comes with the program.
 
     Attributes
     ----------
@@ -30,28 +31,57 @@ class Sample:
     mass: Path | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class SceneSample:
+    """Scenes that come with the program.
+
+    Attributes
+    ----------
+    description
+        What they show, in one line.
+    examples
+        A scene document with placements to learn from.
+    target
+        One to place shapes in.
+    """
+
+    name: str
+    description: str
+    examples: Path
+    target: Path
+
+
 def list_samples() -> tuple[Sample, ...]:
-    """Return the samples, the simplest first."""
+    """Return the facades, the simplest first."""
     folder = shipped("facades")
-    index = tomllib.loads((folder / "index.toml").read_text(encoding="utf-8"))
     return tuple(
         Sample(s["name"], s["description"], folder / s["file"], folder / s["mass"] if "mass" in s else None)
-        for s in index["sample"]
+        for s in _index(folder)["sample"]
+    )
+
+
+def list_scenes() -> tuple[SceneSample, ...]:
+    """Return the scenes, the simplest first."""
+    folder = shipped("facades")
+    return tuple(
+        SceneSample(s["name"], s["description"], folder / s["examples"], folder / s["target"])
+        for s in _index(folder)["scene"]
     )
 
 
 def sample_path(name: str) -> Path:
-    """Return the facade document of a sample.
+    """Return the facade document of a sample, or the examples of a scene.
 
     Raises
     ------
     Faulty
         If there is none of that name (LK710).
     """
-    return find_sample(name).path
+    sample = find_sample(name)
+    return sample.path if isinstance(sample, Sample) else sample.examples
 
 
-def find_sample(name: str) -> Sample:
+def find_sample(name: str) -> Sample | SceneSample:
     """Return a sample.
 
     Raises
@@ -59,8 +89,13 @@ def find_sample(name: str) -> Sample:
     Faulty
         If there is none of that name (LK710).
     """
-    samples = {sample.name: sample for sample in list_samples()}
+    samples: dict[str, Sample | SceneSample] = {sample.name: sample for sample in list_samples()}
+    samples |= {scene.name: scene for scene in list_scenes()}
     if name not in samples:
         message = f"no sample is called {name!r}"
         raise Faulty([Diagnostic("LK710", message, hint=did_you_mean(name, samples), topic="usage")])
     return samples[name]
+
+
+def _index(folder: Path) -> dict[str, Any]:
+    return tomllib.loads((folder / "index.toml").read_text(encoding="utf-8"))

@@ -20,7 +20,10 @@ from layoutkit.cli import (
     grids,
     infer,
     inspect,
+    learn,
+    place,
     plugins,
+    propagate,
     propose,
     render,
     samples,
@@ -29,6 +32,7 @@ from layoutkit.cli import (
     validate,
     vary,
 )
+from layoutkit.cli.declared import command_class
 from layoutkit.cli.exits import Exit, exit_of
 from layoutkit.cli.session import Session
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, blame
@@ -42,6 +46,9 @@ COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
     (grids.grids, grids.EXAMPLES),
     (propose.propose, propose.EXAMPLES),
     (apply.apply, apply.EXAMPLES),
+    (place.place, place.EXAMPLES),
+    (propagate.propagate, propagate.EXAMPLES),
+    (learn.learn, learn.EXAMPLES),
     (convert.convert, convert.EXAMPLES),
     (infer.infer, infer.EXAMPLES),
     (inspect.inspect, inspect.EXAMPLES),
@@ -72,7 +79,7 @@ def _add(command: Callable[..., int], examples: str) -> None:
     """Add a command, with those below it if there are some."""
     name = command.__name__
     if name not in GROUPS:
-        app.command(epilog=examples)(command)
+        app.command(cls=command_class(command), epilog=examples)(command)
         return
     group = typer.Typer(name=name, invoke_without_command=True, rich_markup_mode="markdown")
     group.callback(epilog=examples)(command)

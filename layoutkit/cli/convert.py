@@ -1,4 +1,4 @@
-"""``layoutkit convert``: an annotation made by others, to a facade document."""
+"""``layoutkit convert``: what others made, to a facade document, or to scenes."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ import typer
 
 from layoutkit.cli import console
 from layoutkit.cli.exits import exit_of
-from layoutkit.cli.options import FacadeOutput, Json
+from layoutkit.cli.options import Json
 from layoutkit.cli.recognising import recognising
+from layoutkit.cli.scene_conversion import convert_all, convert_scene, is_scene_file
 from layoutkit.cli.session import Session
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, blame
 from layoutkit.model import Facade, place
@@ -27,13 +28,35 @@ Examples:
 - `layoutkit convert cmp_b0001.xml --image cmp_b0001.jpg -o b0001.xml`
 
 - `layoutkit convert mask.png --image photo.jpg --format mask -o house.xml`
+
+- `layoutkit convert cmp_b0001.xml --scene -o scene.xml`
+
+- `layoutkit convert town.gpkg --part buildings -o buildings.xml`
+
+- `layoutkit convert rooms.jsonl.gz --every-part -o rooms`
 """
 
 
 def convert(
     context: typer.Context,
-    annotation: Annotated[Path, typer.Argument(metavar="IN", help="The annotation: CMP XML, a label mask.")],
-    output: FacadeOutput,
+    annotation: Annotated[
+        Path,
+        typer.Argument(
+            metavar="IN",
+            help="An annotation of a facade: CMP XML, a label mask. Or what becomes a scene: GeoJSON, SVG, "
+            "WKT, GeoPackage, CMP XML, ProcTHOR, ResPlan, or a facade or layout document.",
+        ),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="OUT",
+            help="The document to write (.xml); a scene can also be written as .geojson, .svg or .png. "
+            "With --every-part: a folder.",
+        ),
+    ],
     image: Annotated[
         Path | None, typer.Option(metavar="PIC", help="The photo that the annotation is of.")
     ] = None,
@@ -41,13 +64,36 @@ def convert(
         str | None,
         typer.Option("--format", metavar="NAME", help="How to read IN; by default as what it looks like."),
     ] = None,
+    as_scene: Annotated[
+        bool,
+        typer.Option("--scene", help="Make a scene of what could be a facade; implied where it could not."),
+    ] = False,
+    part: Annotated[
+        str | None,
+        typer.Option(
+            "--part",
+            metavar="NAME",
+            help="Which scene of a file with several: a layer, a room, a flat.",
+        ),
+    ] = None,
+    every_part: Annotated[
+        bool, typer.Option("--every-part", help="Write every scene of the file into the folder OUT.")
+    ] = False,
     as_json: Json = False,
 ) -> int:
-    """Turn an annotation into a facade document, whose regions tile the facade.
+    """Turn an annotation into a facade document, whose regions tile the facade; or any drawing into a scene.
 
-    What was wrong with the annotation is said, and survived where possible.
+    What was wrong with it is said, and survived where possible.
     """
     session = Session.of(context)
+    if every_part:
+        if part is not None:
+            raise _misused("--every-part leaves nothing to choose", "leave --part or --every-part away")
+        return convert_all(session, annotation, output, format_name, as_json)
+    if as_scene or part is not None or is_scene_file(session, annotation, format_name):
+        if image is not None:
+            raise _misused("a scene takes the picture that lies beside IN", "leave --image away")
+        return convert_scene(session, annotation, output, part, format_name, as_json)
     chosen = _format(annotation, format_name, session)
     facade, remarks = _read(chosen, annotation, image)
     session.report(remarks)
@@ -67,6 +113,10 @@ def convert(
     else:
         console.say(f"{output}: {len(regions)} regions, {terminals} of them terminals")
     return exit_of(remarks)
+
+
+def _misused(message: str, hint: str) -> Faulty:
+    return Faulty([Diagnostic("LK701", message, hint=hint, topic="usage")])
 
 
 def write_facade(session: Session, facade: Facade, output: Path) -> None:

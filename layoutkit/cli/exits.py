@@ -38,6 +38,8 @@ _BY_CODE: Mapping[str, Exit] = {
     "LK651": Exit.USAGE,  # a grid that the facade lacks: asked for by the user
     "LK658": Exit.USAGE,  # a region that it lacks
     "LK7": Exit.USAGE,
+    "LK857": Exit.USAGE,  # a scene to choose of several
+    "LK858": Exit.USAGE,  # a scene that a file lacks
     "LK9": Exit.INTERNAL,
 }
 

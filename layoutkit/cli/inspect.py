@@ -1,4 +1,4 @@
-"""``layoutkit inspect``: what a document holds, as lines or as JSON: regions and grids, faces, or edits."""
+"""``layoutkit inspect``: what a document holds, as lines or JSON: regions, grids, faces, edits, polygons."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import typer
 
 from layoutkit.cli import console
 from layoutkit.cli.options import Json
+from layoutkit.cli.scene_summary import model_data, model_lines, scene_data, scene_lines
 from layoutkit.cli.session import Session
 from layoutkit.model import Facade, Grid, Layout, PlacedRegion, Region, place
 
@@ -34,13 +35,18 @@ _PHANTOM = "–"
 def inspect(
     context: typer.Context,
     document_file: Annotated[
-        Path, typer.Argument(metavar="DOC", help="A facade, layout, mass or session document (XML).")
+        Path,
+        typer.Argument(
+            metavar="DOC",
+            help="A facade, layout, mass, session or scene document, or a placement model (XML).",
+        ),
     ],
     as_json: Json = False,
 ) -> int:
-    """Show what a document holds: the regions of a facade or layout, the faces of a mass, a session's edits.
+    """Show what a document holds: regions, faces of a mass, edits of a session, or what stands in a scene.
 
-    Regions are shown with symbols, labels and sizes; the grids of a facade follow, row by row.
+    Regions are shown with symbols, labels and sizes; the grids of a facade follow, row by row. Polygons of a
+    scene are shown below the one that they are inside of.
 
     With --json: boxes [x0, y0, x1, y1] in document units, y up, and the part of the picture, in its pixels
     and y down, that the document covers. The faces of a building stand side by side. Rows of grids hold
@@ -57,6 +63,14 @@ def inspect(
         found = documents.read_session(document_file, session.host.constraints)
         session.report(found.diagnostics)
         data, lines = edits(found.session), list_of_edits(found.session)
+    elif documents.is_scene(document_file):
+        scene = documents.read_scene(document_file)
+        session.report(scene.diagnostics)
+        data, lines = scene_data(scene.scene), scene_lines(scene.scene)
+    elif documents.is_placement_model(document_file):
+        learned = documents.read_placement_model(document_file)
+        session.report(learned.diagnostics)
+        data, lines = model_data(learned.model), model_lines(learned.model)
     else:
         model = session.read(document_file).model
         data, lines = summary(model), tree(model)

@@ -12,7 +12,6 @@ from layoutkit.model import Measure
 
 Json = Annotated[bool, typer.Option("--json", help="Print the result as JSON, for other programs.")]
 FacadeFile = Annotated[Path, typer.Argument(metavar="FACADE", help="A facade document (XML).")]
-DocumentFile = Annotated[Path, typer.Argument(metavar="DOC", help="A facade or layout document (XML).")]
 FacadeOutput = Annotated[
     Path, typer.Option("-o", "--output", metavar="OUT.xml", help="The facade document to write.")
 ]

@@ -1,4 +1,4 @@
-"""``layoutkit render``: a picture or a model of a facade or layout."""
+"""``layoutkit render``: a picture or a model of a facade or layout, or a drawing of a scene."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from layoutkit.cli import console
-from layoutkit.cli.options import DocumentFile, finite
+from layoutkit.cli.editing import keep, misused
+from layoutkit.cli.options import finite
+from layoutkit.cli.scene_files import WRITERS, Part, unknown_suffix, write_scene
+from layoutkit.cli.scenes import read_scene, scene_formats
 from layoutkit.cli.session import Session
-from layoutkit.diagnostics import Diagnostic, Faulty, Place
 from layoutkit.model import Facade, Layout
 
 if TYPE_CHECKING:
@@ -25,15 +27,29 @@ Examples:
 - `layoutkit render out/variation-01.xml --scale 2 -o large.png`
 
 - `layoutkit render out/variation-01.xml -o building.glb`
+
+- `layoutkit render placed.xml -o placed.geojson`
 """
 
 
 def render(
     context: typer.Context,
-    document_file: DocumentFile,
-    output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="OUT", help="The file to write: .png, .svg or .glb.")
+    document_file: Annotated[
+        Path,
+        typer.Argument(
+            metavar="DOC", help="A facade or layout document (XML), or a scene in any kind of file."
+        ),
     ],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="OUT",
+            help="The file to write: .png, .svg or .geojson; or .glb, of no scene.",
+        ),
+    ],
+    part: Part = None,
     scale: Annotated[
         float,
         typer.Option(
@@ -41,19 +57,43 @@ def render(
         ),
     ] = 1.0,
 ) -> int:
-    """Draw a facade or layout.
+    """Draw a facade, layout or scene.
 
     A PNG shows the facade's photo, cut and fitted to the regions, or colours by label where there is no
     photo; the faces of a building stand side by side. An SVG shows the regions by label. A GLB is a model:
     regions stand out by their depth, and a building's faces are in place.
+
+    Of a scene, PNG and SVG show polygons by label, over its photo if it has one, and placements outlined. A
+    GeoJSON has each as a feature; facades and layouts are written as the scenes that they are.
     """
     session = Session.of(context)
-    make = _RENDERERS.get(output.suffix.lower())
-    if make is None:
-        raise Faulty([_unknown_suffix(output)])
-    session.write(output, make(session.read(document_file).model, document_file.parent, scale))
+    suffix, folder = output.suffix.lower(), document_file.parent
+    if suffix not in _SUFFIXES:
+        raise unknown_suffix(output, _SUFFIXES)
+    scenes = suffix == ".geojson" or _holds_scenes(session, document_file)
+    if scenes and suffix not in WRITERS:
+        raise unknown_suffix(output, [own for own in _SUFFIXES if own in WRITERS])
+    keep(output, [document_file])
+    if scenes:
+        write_scene(session, read_scene(session, document_file, part), folder, [output], scale)
+    else:
+        if part is not None:
+            raise misused(f"{document_file} is no scene, and has no parts", "leave --part away")
+        session.write(output, _RENDERERS[suffix](session.read(document_file).model, folder, scale))
     console.say(str(output))
     return 0
+
+
+def _holds_scenes(session: Session, file: Path) -> bool:
+    """Tell whether a file is a scene document, or of a format of scenes; not so facades and layouts."""
+    from layoutkit import documents
+    from layoutkit.documents.grammar import FACADE, LAYOUT
+    from layoutkit.documents.roots import is_rooted
+
+    if documents.is_scene(file):
+        return True
+    tree = is_rooted(file, FACADE) or is_rooted(file, LAYOUT)
+    return not tree and bool(scene_formats(session, file))
 
 
 def photo_of(model: Facade | Layout, folder: Path) -> Photo | None:
@@ -105,15 +145,5 @@ _RENDERERS: Mapping[str, Callable[[Facade | Layout, Path, float], bytes]] = {
     ".svg": _svg,
     ".glb": _glb,
 }
-
-
-def _unknown_suffix(output: Path) -> Diagnostic:
-    kind = f"as {output.suffix!r}" if output.suffix else "without a suffix"
-    *first, last = _RENDERERS
-    return Diagnostic(
-        "LK703",
-        f"no picture can be written {kind}",
-        Place(str(output)),
-        f"end the file's name in {', '.join(first)} or {last}",
-        topic="usage",
-    )
+#: All kinds of files that can be written.
+_SUFFIXES = (*_RENDERERS, ".geojson")

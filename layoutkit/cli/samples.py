@@ -1,9 +1,10 @@
-"""``layoutkit samples``: facades to begin with."""
+"""``layoutkit samples``: facades and scenes to begin with."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -12,12 +13,17 @@ from layoutkit.cli.options import Json
 from layoutkit.cli.session import Session
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
 
+if TYPE_CHECKING:
+    from layoutkit.samples import Sample, SceneSample
+
 EXAMPLES = """
 Examples:
 
 - `layoutkit samples`
 
 - `layoutkit samples palace -o palace`
+
+- `layoutkit samples flowers`
 """
 
 
@@ -32,25 +38,31 @@ def samples(
     ] = None,
     as_json: Json = False,
 ) -> int:
-    """List the facades that come with the program, or copy one with its picture, and its mass if any."""
+    """List the facades and scenes that come with the program, or copy one with all that belongs to it."""
     session = Session.of(context)
     if name is None:
         _list(as_json)
         return 0
-    written, mass = _copy(session, name, output or Path(name))
+    from layoutkit.samples import Sample, find_sample
+
+    sample = find_sample(name)
+    folder = output or Path(name)
+    if isinstance(sample, Sample):
+        written, tries = _copy_facade(session, sample, folder)
+    else:
+        written, tries = _copy_scenes(session, sample, folder)
     if as_json:
         console.emit({"document": str(written), "diagnostics": [d.as_dict() for d in session.diagnostics]})
-    else:
-        console.say(f"{written}: try `layoutkit vary {written} -n 8 -o out`")
-    if mass is not None and not as_json:
-        console.say(f"{mass}: try `layoutkit vary {written} --mass {mass} -n 4 -o building`")
+        return 0
+    for file, command in tries:
+        console.say(f"{file}: try `{command}`")
     return 0
 
 
 def _list(as_json: bool) -> None:
-    from layoutkit.samples import list_samples
+    from layoutkit.samples import list_samples, list_scenes
 
-    found = list_samples()
+    found: list[Sample | SceneSample] = [*list_samples(), *list_scenes()]
     if as_json:
         console.emit({"samples": [{"name": s.name, "description": s.description} for s in found]})
         return
@@ -59,22 +71,43 @@ def _list(as_json: bool) -> None:
         console.say(f"{sample.name:{width}}  {sample.description}")
 
 
-def _copy(session: Session, name: str, folder: Path) -> tuple[Path, Path | None]:
-    """Copy a sample's document, picture and mass, and return where the document and the mass are now."""
-    from layoutkit.documents import load
-    from layoutkit.samples import find_sample
-
-    sample = find_sample(name)
+def _copy_facade(session: Session, sample: Sample, folder: Path) -> tuple[Path, list[tuple[Path, str]]]:
+    """Copy a document, picture and mass; return where the document is now, and what to try with each file."""
     source = sample.path
     _, facade = session.read_facade(source, "samples")
-    files = [Path(source.name), *([Path(facade.picture.file)] if facade.picture is not None else [])]
-    files += [Path(sample.mass.name)] if sample.mass is not None else []
-    copies = {folder / file: load(source.parent / file) for file in files}
+    files = [source.name, *([facade.picture.file] if facade.picture is not None else [])]
+    files += [sample.mass.name] if sample.mass is not None else []
+    _copy(session, source.parent, folder, files)
+    written = folder / source.name
+    tries = [(written, f"layoutkit vary {written} -n 8 -o out")]
+    if sample.mass is not None:
+        mass = folder / sample.mass.name
+        tries.append((mass, f"layoutkit vary {written} --mass {mass} -n 4 -o building"))
+    return written, tries
+
+
+def _copy_scenes(session: Session, sample: SceneSample, folder: Path) -> tuple[Path, list[tuple[Path, str]]]:
+    """Copy both scenes; return where that with the examples is now, and what to try."""
+    _copy(session, sample.examples.parent, folder, [sample.examples.name, sample.target.name])
+    written, target = folder / sample.examples.name, folder / sample.target.name
+    return written, [(written, f"layoutkit place {written} {target} -o placed.png")]
+
+
+def _copy(session: Session, source: Path, folder: Path, files: Sequence[str]) -> None:
+    """Copy files from one folder to another.
+
+    Raises
+    ------
+    Faulty
+        If one is there and differs (LK704): then none is copied.
+    """
+    from layoutkit.documents import load
+
+    copies = {folder / file: load(source / file) for file in files}
     if edited := [file for file, data in copies.items() if file.exists() and load(file) != data]:
         raise Faulty([_would_overwrite(edited[0])])
     for file, data in copies.items():
         session.write(file, data)
-    return folder / source.name, folder / sample.mass.name if sample.mass is not None else None
 
 
 def _would_overwrite(file: Path) -> Diagnostic:

@@ -18,7 +18,7 @@ from layoutkit.cli.exits import Exit, exit_of_code
 from layoutkit.cli.recognising import way_on
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
 from layoutkit.diagnostics.blame import Misbehaviour
-from layoutkit.model import Facade
+from layoutkit.model import Facade, Scene
 
 if TYPE_CHECKING:
     from layoutkit.documents import Document
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 #: Seconds for what there is to say, where a plugin that cannot be interrupted ends the program.
 _LAST_WORDS = 3.0
-#: What is wrong with files of other kinds: no XML, or the root of another document.
-_OTHER_KINDS = frozenset({"LK002", "LK003", "LK101"})
+#: What is wrong with files of other kinds: no XML, a document type, or the root of another document.
+_OTHER_KINDS = frozenset({"LK002", "LK003", "LK004", "LK101"})
 
 
 @dataclass
@@ -138,23 +138,26 @@ class Session:
             ]
         )
 
-    def run(self, stage: str, facade: Facade, **options: Any) -> Iterator[Outcome]:
-        """Yield what a stage makes of a facade, with its default options but for those given.
+    def run(self, stage: str, document: Facade | Scene, **options: Any) -> Iterator[Outcome]:
+        """Yield what a stage makes of a document, with its default options but for those given.
 
         Raises
         ------
         Faulty
             If no plugin has a stage of that name, or no solver that of the one to be asked first.
         Misbehaviour
-            If a stage yields something else.
+            If the stage takes documents of another kind, or yields something else than outcomes.
         """
         from layoutkit.hooks import Outcome
 
         found = self.host.stages.find(stage)
+        if not isinstance(document, found.takes):
+            kind = type(document).__name__
+            raise Misbehaviour(found, f"takes a {found.takes.__name__}, and {stage} is asked of a {kind}")
         asked = found.options()
         if any(field.name == "backends" for field in fields(asked)):
             options = {"backends": self.backends, **options}
-        for outcome in found.run(facade, replace(asked, **options)):
+        for outcome in found.run(document, replace(asked, **options)):
             if not isinstance(outcome, Outcome):
                 raise Misbehaviour(found, f"yields {outcome!r}, and no Outcome")
             yield outcome

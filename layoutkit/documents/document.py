@@ -5,25 +5,26 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
-from typing import Any
 
 from layoutkit.constraints import Constraint
 from layoutkit.constraints.dressing import dressed, dressing_faults
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean, worst
 from layoutkit.documents.facade_regions import FacadeReader
 from layoutkit.documents.files import like_one_beside
-from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, MASS, NAMESPACE, PICTURE, SESSION
+from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, MASS, NAMESPACE, SESSION
 from layoutkit.documents.grids import check_grids, read_grids
 from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
 from layoutkit.documents.makers import Maker, Numbers, Regions
 from layoutkit.documents.masses import mass_of
+from layoutkit.documents.picture import picture_of
 from layoutkit.documents.reading import Reading, in_order
 from layoutkit.documents.roots import is_rooted
+from layoutkit.documents.scene_grammar import PLACEMENT_MODEL, SCENE
 from layoutkit.documents.source import Source
 from layoutkit.documents.spelling import near_namespace
 from layoutkit.documents.streaming import LAYOUT_PARTS, Making, Streamed, stream
 from layoutkit.documents.tree import Element
-from layoutkit.model import Facade, Layout, Mass, Picture, Region
+from layoutkit.model import Facade, Layout, Mass, Region
 from layoutkit.model.region import TILING_TOLERANCE
 
 #: What may stand in a facade, in this order.
@@ -37,6 +38,8 @@ _INSTEAD = {
 _OTHERS = {
     MASS.name: "name a facade; the mass goes with it: --mass",
     SESSION.name: "name the facade that it edits, which its attribute facade says",
+    SCENE.name: "name a facade or layout; `place` and `propagate` take scenes",
+    PLACEMENT_MODEL.name: "name a facade or layout; `place` takes models of placements",
 }
 _NO_TREE = Region("", math.nan, math.nan)
 
@@ -146,7 +149,7 @@ def _check_root(root: Element, reading: Reading) -> None:
     ours = root.namespace in ("", NAMESPACE)
     if not ours or root.name not in names:
         shown = f"of the namespace {root.namespace!r}" if not ours else "no document of ours"
-        hint = namespace_hint(root) if not ours else did_you_mean(root.name, names)
+        hint = namespace_hint(root) if not ours else did_you_mean(root.name, (*names, *_OTHERS))
         if ours and root.name in _OTHERS:
             shown, hint = "no facade", _OTHERS[root.name]
         reading.fault("LK101", f"<{root.name}> is {shown}", root, hint)
@@ -185,7 +188,7 @@ def _facade(root: Element, kinds: Kinds, reading: Reading) -> Facade:
         values.get("name") or "",
         values.get("units") or "m",
         tree,
-        _picture(parts, reading),
+        picture_of(parts["picture"], reading) if "picture" in parts else None,
         tuple(constraint for constraint, _ in found),
         grids=tuple(grid for grid, _ in grids),
     )
@@ -209,7 +212,7 @@ def _layout(streamed: Streamed) -> Layout:
         facade_file=values.get("facade"),
         seed=values.get("seed"),
         index=values.get("index"),
-        picture=_picture(parts, reading),
+        picture=picture_of(parts["picture"], reading) if "picture" in parts else None,
         mass=_mass(parts, tree, root, reading),
     )
 
@@ -334,20 +337,3 @@ def _tree(parts: dict[str, Element], root: Element, regions: FacadeReader) -> Re
 def _no_region(root: Element, reading: Reading) -> None:
     hint = "the root region is the whole facade, with its width and height"
     reading.fault("LK107", f"<{root.name}> has no <region>", root, hint)
-
-
-def _picture(parts: dict[str, Element], reading: Reading) -> Picture | None:
-    if "picture" not in parts:
-        return None
-    element = parts["picture"]
-    values: dict[str, Any] = reading.values(element, PICTURE)
-    reading.no_children(element)
-    left, top, right, bottom = (values.get(side) for side in ("left", "top", "right", "bottom"))
-    if left is None or top is None or right is None or bottom is None:
-        return None
-    for less, more, names in ((left, right, ("left", "right")), (top, bottom, ("top", "bottom"))):
-        if less >= more:
-            message = f"the picture's part is empty: {names[0]} {less:g} is not below {names[1]} {more:g}"
-            hint = "x counts to the right and y down, in pixels"
-            reading.fault("LK213", message, element, hint, topic="reference")
-    return Picture(values.get("file") or "", (left, top, right, bottom))

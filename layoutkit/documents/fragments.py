@@ -8,13 +8,14 @@ from pathlib import PurePath
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
 from layoutkit.documents.grammar import FACADE, LAYOUT, MASS, SESSION
+from layoutkit.documents.scene_grammar import PLACEMENT_MODEL, SCENE
 from layoutkit.documents.source import Source
 
 _SUFFIXES = (".md", ".markdown")
 _LINE_END = re.compile(r"\r\n|\r|\n")
 _OPENING = re.compile(r"[ \t>]*(?P<fence>`{3,}|~{3,})[ \t]*xml\b[^`]*", re.IGNORECASE)
 #: The first tag of a document of ours, whatever its prefix; before it only comments and instructions.
-_ROOTS = "|".join(root.name for root in (FACADE, LAYOUT, MASS, SESSION))
+_ROOTS = "|".join(root.name for root in (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL))
 _DOCUMENT = re.compile(rf"\s*(?:<\?.*?\?>\s*|<!--.*?-->\s*)*<(?:[\w.-]+:)?(?:{_ROOTS})[\s/>]", re.DOTALL)
 
 

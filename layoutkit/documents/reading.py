@@ -34,10 +34,22 @@ from layoutkit.documents.grammar import (
     SIZE,
     ElementType,
 )
+from layoutkit.documents.scene_grammar import (
+    CORNER,
+    EDGE,
+    EXAMPLE,
+    PLACEMENT,
+    PLACEMENT_MODEL,
+    POLYGON,
+    SCENE,
+)
 from layoutkit.documents.tree import Element
 
-_DOCUMENTS = (FACADE, LAYOUT, MASS, SESSION)
-_PARTS = (PICTURE, REGION, AGAIN, CONSTRAINTS, GRIDS, GRID, BOX, FOOTPRINT, EDIT, RESIZE, DRAG, REGION_SIZE)
+_DOCUMENTS = (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL)
+_PARTS = (
+    *(PICTURE, REGION, AGAIN, CONSTRAINTS, GRIDS, GRID, BOX, FOOTPRINT, EDIT, RESIZE, DRAG, REGION_SIZE),
+    *(POLYGON, EDGE, CORNER, PLACEMENT, EXAMPLE),
+)
 _ELEMENTS = {declared.name for declared in (*_DOCUMENTS, *_PARTS)}
 _INSTANCE = "http://www.w3.org/2001/XMLSchema-instance"
 #: Where an editor finds the schema: allowed on every element, and not for us to read.

@@ -35,6 +35,15 @@ from layoutkit.documents.grammar import (
     ElementType,
 )
 from layoutkit.documents.kinds import Kinds, declared
+from layoutkit.documents.scene_grammar import (
+    CORNER,
+    EDGE,
+    EXAMPLE,
+    PLACEMENT,
+    PLACEMENT_MODEL,
+    POLYGON,
+    SCENE,
+)
 
 _MASS_PARTS, _STEPS = (BOX, FOOTPRINT), (EDIT, RESIZE, DRAG, REGION_SIZE)
 #: Of what need not be there.
@@ -65,7 +74,7 @@ def schema(kinds: Kinds) -> bytes:
     """Return the schema of documents alone; those of plugins' constraints are imported by their files."""
     foreign = _foreign(kinds)
     root = ET.Element("xs:schema", {**_NAMESPACES, **{f"xmlns:{own.prefix}": own.uri for own in foreign}})
-    _explain(root, "Facade, layout, mass and session documents of layoutkit.")
+    _explain(root, "Facade, layout, mass, session and scene documents of layoutkit, and placement models.")
     for own in foreign:
         _add(root, "import", namespace=own.uri, schemaLocation=_file(own))
     for document in (FACADE, LAYOUT):
@@ -82,6 +91,7 @@ def schema(kinds: Kinds) -> bytes:
         whole = _add(_explained(root, "element", document.help, name=document.name), "complexType")
         _add_some(whole, inside, **least)
         _add_attributes(whole, document)
+    _add_scenes(root)
     _add_attributes(_add(root, "complexType", name="Picture"), PICTURE)
     _add_some(_add(root, "complexType", name="Mass"), _MASS_PARTS)
     _add_some(_add(root, "complexType", name="Grids"), (GRID,), **_NONE)
@@ -97,6 +107,28 @@ def schema(kinds: Kinds) -> bytes:
             else:
                 _add(choice, "element", ref=kind.qualified_name())
     return _written(root)
+
+
+def _add_scenes(root: ET.Element) -> None:
+    """Declare scenes and placement models, and what they hold."""
+    parts = _sequence(_explained(root, "element", SCENE.help, name=SCENE.name), SCENE)
+    _explained(parts, "element", PICTURE.help, name=PICTURE.name, type="Picture", minOccurs="0")
+    _add_shapes(_add(parts, "choice", minOccurs="0", maxOccurs="unbounded"))
+    models = _explained(root, "element", PLACEMENT_MODEL.help, name=PLACEMENT_MODEL.name)
+    some = _sequence(models, PLACEMENT_MODEL)
+    example = _explained(some, "element", EXAMPLE.help, name=EXAMPLE.name, maxOccurs="unbounded")
+    whole = _add(example, "complexType")
+    _add_shapes(_add(whole, "choice", maxOccurs="unbounded"))
+    _add_attributes(whole, EXAMPLE)
+    polygon = _add(root, "complexType", name="Polygon")
+    _add_some(polygon, (EDGE, CORNER), **_NONE)
+    _add_attributes(polygon, POLYGON)
+    _add_attributes(_add(root, "complexType", name="Placement"), PLACEMENT)
+
+
+def _add_shapes(some: ET.Element) -> None:
+    for kind, name in ((POLYGON, "Polygon"), (PLACEMENT, "Placement")):
+        _explained(some, "element", kind.help, name=kind.name, type=name)
 
 
 def _foreign(kinds: Kinds) -> tuple[Namespace, ...]:

@@ -15,8 +15,10 @@ from layoutkit.documents.fragments import fragments, is_text
 from layoutkit.documents.kinds import Kinds
 from layoutkit.documents.makers import Maker, Numbers
 from layoutkit.documents.masses import is_mass, read_mass
+from layoutkit.documents.placement_models import is_placement_model, read_placement_model
 from layoutkit.documents.places import places
 from layoutkit.documents.reading import in_order
+from layoutkit.documents.scenes import is_scene, read_scene
 from layoutkit.documents.sessions import is_session, read_session
 from layoutkit.documents.source import Source
 from layoutkit.documents.tree import Element
@@ -47,6 +49,10 @@ def check(document: Path | str | Source, kinds: Kinds) -> list[Diagnostic]:
             return list(read_mass(source).diagnostics)
         if is_session(source):
             return list(read_session(source, kinds).diagnostics)
+        if is_scene(source):
+            return list(read_scene(source).diagnostics)
+        if is_placement_model(source):
+            return list(read_placement_model(source).diagnostics)
         opened = open_document(source, kinds, _making)
         found = list(opened.diagnostics)
         if isinstance(opened.model, Layout) and worst(found) is not Severity.ERROR:

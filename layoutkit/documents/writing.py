@@ -4,19 +4,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import Any
 
 from layoutkit.constraints import Constraint
 from layoutkit.constraints.namespace import CORE, Namespace
 from layoutkit.diagnostics import Diagnostic, Faulty
-from layoutkit.documents.grammar import GRID, NAMESPACE
+from layoutkit.documents.grammar import GRID, NAMESPACE, ElementType
 from layoutkit.documents.grids import grid_attributes
 from layoutkit.documents.masses import part_fields
+from layoutkit.documents.picture import picture_fields
+from layoutkit.documents.placement_models import model_fields
+from layoutkit.documents.scene_grammar import EXAMPLE, PLACEMENT, PLACEMENT_MODEL, POLYGON
+from layoutkit.documents.scenes import placement_fields, polygon_fields
 from layoutkit.documents.sessions import step_fields
 from layoutkit.documents.tree import comment_lines
 from layoutkit.model import Facade, Grid, Layout, Mass, Picture, Region, Split
 from layoutkit.model.facade import Units
+from layoutkit.model.learning import PlacementModel
 from layoutkit.model.measure import format_number
 from layoutkit.model.region import TILING_TOLERANCE
+from layoutkit.model.scene import Polygon, Scene
 from layoutkit.model.session import Session, Step
 
 _DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>'
@@ -109,13 +116,69 @@ def session_bytes(session: Session) -> bytes:
     return _document([f"<{_joined('session', head)}>", *steps], "session")
 
 
+def scene_bytes(scene: Scene) -> bytes:
+    """Return a scene's document.
+
+    Raises
+    ------
+    Faulty
+        If a name holds a character that XML cannot (LK009).
+    """
+    head = {"xmlns": NAMESPACE, "name": scene.name, "units": scene.units}
+    lines = [f"<{_joined('scene', head)}>", *_picture_lines(scene.picture)]
+    for polygon in scene.polygons:
+        lines += _polygon_lines(polygon, INDENT)
+    lines += [f"{INDENT}<{_element(PLACEMENT, placement_fields(p))}/>" for p in scene.placements]
+    return _document(lines, "scene")
+
+
+def placement_model_bytes(model: PlacementModel) -> bytes:
+    """Return a placement model's document.
+
+    Placements in the scenes of its examples are written as polygons, and their pictures are not named.
+
+    Raises
+    ------
+    Faulty
+        If a name holds a character that XML cannot (LK009).
+    """
+    head = _element(PLACEMENT_MODEL, model_fields(model))
+    lines = [head.replace(PLACEMENT_MODEL.name, f'<{PLACEMENT_MODEL.name} xmlns="{NAMESPACE}"', 1) + ">"]
+    for example, weight in zip(model.examples, model.weights, strict=True):
+        scene = example.scene.settled()
+        lines.append(f"{INDENT}<{_element(EXAMPLE, {'name': scene.name, 'weight': weight})}>")
+        lines.append(f"{INDENT * 2}<{_element(PLACEMENT, placement_fields(example.placement))}/>")
+        for polygon in scene.polygons:
+            lines += _polygon_lines(polygon, INDENT * 2)
+        lines.append(f"{INDENT}</{EXAMPLE.name}>")
+    return _document(lines, PLACEMENT_MODEL.name)
+
+
+def _polygon_lines(polygon: Polygon, indent: str) -> Iterator[str]:
+    given, inside = polygon_fields(polygon)
+    line = f"{indent}<{_element(POLYGON, given)}"
+    if not inside:
+        yield f"{line}/>"
+        return
+    yield f"{line}>"
+    for declared, values in inside:
+        yield f"{indent}{INDENT}<{_element(declared, values)}/>"
+    yield f"{indent}</{POLYGON.name}>"
+
+
 def _step_line(step: Step) -> str:
-    declared, fields = step_fields(step)
-    shown = {
-        name: format_number(value) if isinstance(value, float) else declared.attributes[name].type.text(value)
-        for name, value in fields.items()
-    }
-    return f"<{_joined(declared.name, shown)}/>"
+    return f"<{_element(*step_fields(step))}/>"
+
+
+def _element(declared: ElementType, fields: Mapping[str, Any]) -> str:
+    """Return what stands between < and >: attributes as they are declared, less those with their defaults."""
+    shown = {}
+    for name, value in fields.items():
+        attribute = declared.attributes[name]
+        if attribute.required or value not in (None, attribute.default):
+            number = isinstance(value, float)
+            shown[name] = format_number(value) if number else attribute.type.text(value)
+    return _joined(declared.name, shown)
 
 
 def constraint_lines(
@@ -167,8 +230,7 @@ def _document(lines: Iterable[str], root: str) -> bytes:
 
 def _picture_lines(picture: Picture | None) -> Iterator[str]:
     if picture is not None:
-        sides = dict(zip(("left", "top", "right", "bottom"), map(format_number, picture.box), strict=True))
-        yield f"{INDENT}<{_joined('picture', {'file': picture.file, **sides})}/>"
+        yield f"{INDENT}<{_joined('picture', dict(picture_fields(picture)))}/>"
 
 
 def _part_lines(mass: Mass) -> Iterator[str]:

@@ -36,8 +36,8 @@ class LearningSettings:
     Every field has a help text in its metadata, from which documents' schema and commands' options follow.
     """
 
-    precision: float = _setting(
-        1.0, "Factor on all tolerances (the paper's tau): below 1 is stricter, above 1 more tolerant."
+    tolerance: float = _setting(
+        1.0, "Factor on all variances (the tau of the paper): below 1 is stricter, above 1 more tolerant."
     )
     regularisation: float = _setting(
         0.1, "The regression's lambda, as a share of the mean similarity of the examples to themselves."

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import colorsys
 import zlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from layoutkit.model import Region
 
 Colour = tuple[int, int, int]
 
-#: Colours of classes that facades commonly have, by name in lower case.
+#: Colours of classes that facades, rooms and maps commonly have, by name in lower case.
 PALETTE: Mapping[str, Colour] = {
     "wall": (232, 220, 200),
     "facade": (232, 220, 200),
@@ -31,6 +31,14 @@ PALETTE: Mapping[str, Colour] = {
     "background": (214, 214, 214),
     "base": (158, 152, 146),
     "pier": (224, 210, 190),
+    "storey": (238, 228, 210),
+    "street": (186, 184, 182),
+    "plot": (204, 220, 176),
+    "room": (240, 234, 222),
+    "bedroom": (236, 228, 214),
+    "livingroom": (240, 232, 208),
+    "kitchen": (226, 232, 228),
+    "bathroom": (216, 228, 236),
 }
 
 #: Of regions whose labels say what they are for rather than what they look like.
@@ -38,14 +46,19 @@ PLAIN: Colour = (236, 232, 224)
 
 
 def colour_of(region: Region) -> Colour:
-    """Return the colour of a region: that of its first well-known label, else of its first label.
+    """Return the colour of a region: that of its labels."""
+    return colour_of_labels(region.labels)
+
+
+def colour_of_labels(labels: Sequence[str]) -> Colour:
+    """Return the colour of the first well-known label, else of the first label.
 
     A colour depends on nothing but the label's text: it is the same in every picture and on every machine.
     """
-    for label in region.labels:
+    for label in labels:
         if label.lower() in PALETTE:
             return PALETTE[label.lower()]
-    return _by_text(region.labels[0]) if region.labels else PLAIN
+    return _by_text(labels[0]) if labels else PLAIN
 
 
 def darker(colour: Colour, share: float = 0.72) -> Colour:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
-from layoutkit.model import Box, Facade, Piece, Region
+from layoutkit.model import Box, Facade, Picture, Piece, Region
 from layoutkit.pictures.grid import Cell, PixelGrid
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class Photo:
 
     def __init__(self, facade: Facade, image: Image) -> None:
         self.facade = facade
-        self.image = image.convert("RGB").crop(_part(facade, image))
+        self.image = image.convert("RGB").crop(_part(facade.picture, image))
         self.grid = PixelGrid(facade.root.width, facade.root.height, *self.image.size)
 
     @classmethod
@@ -55,24 +55,9 @@ class Photo:
         Faulty
             If the facade names no picture, or the file cannot be read (LK010).
         """
-        from PIL import Image, UnidentifiedImageError
-
         if facade.picture is None:
             raise _faulty(f"the facade {facade.name!r} names no picture", "add a picture element", None)
-        file = folder / facade.picture.file
-        try:
-            with Image.open(file) as image:
-                image.load()
-                return cls(facade, image)
-        except FileNotFoundError:
-            hint = "put the picture there, or correct the file attribute of the picture element"
-            raise _faulty("the picture is not there", hint, file) from None
-        except UnidentifiedImageError:
-            raise _faulty("this is no picture of a known format", "use PNG or JPEG", file) from None
-        except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
-            # Pillow's decoders raise SyntaxError and ValueError for damaged files.
-            message = f"the picture cannot be read: {error}"
-            raise _faulty(message, "save it anew as PNG or JPEG", file) from None
+        return cls(facade, _opened(folder / facade.picture.file))
 
     def texture(self, pieces: tuple[Piece, ...], region: Region, size: tuple[int, int]) -> Image:
         """Return the picture of a terminal.
@@ -119,16 +104,52 @@ def copies(region: Region, source: Box) -> tuple[int, int]:
     return _copies(region.width, source.width), _copies(region.height, source.height)
 
 
-def _part(facade: Facade, image: Image) -> Cell:
-    if facade.picture is None:
+def part_shown(picture: Picture, folder: Path) -> Image:
+    """Return the part of a picture that a document covers, as RGB.
+
+    Parameters
+    ----------
+    folder
+        Where the document lies.
+
+    Raises
+    ------
+    Faulty
+        If the file cannot be read, or the part is not inside it (LK010).
+    """
+    image = _opened(folder / picture.file)
+    return image.convert("RGB").crop(_part(picture, image))
+
+
+def _opened(file: Path) -> Image:
+    """Read a picture."""
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        with Image.open(file) as image:
+            image.load()
+            return image
+    except FileNotFoundError:
+        hint = "put the picture there, or correct the file attribute of the picture element"
+        raise _faulty("the picture is not there", hint, file) from None
+    except UnidentifiedImageError:
+        raise _faulty("this is no picture of a known format", "use PNG or JPEG", file) from None
+    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+        # Pillow's decoders raise SyntaxError and ValueError for damaged files.
+        message = f"the picture cannot be read: {error}"
+        raise _faulty(message, "save it anew as PNG or JPEG", file) from None
+
+
+def _part(picture: Picture | None, image: Image) -> Cell:
+    if picture is None:
         return 0, 0, image.width, image.height
-    left, top, right, bottom = (round(edge) for edge in facade.picture.box)
+    left, top, right, bottom = (round(edge) for edge in picture.box)
     if not (0 <= left < right <= image.width and 0 <= top < bottom <= image.height):
         raise _faulty(
             f"the part {left} {top} {right} {bottom} is not inside the picture of "
             f"{image.width} × {image.height} pixels",
             "correct left, top, right and bottom of the picture element: pixels, y down",
-            Path(facade.picture.file),
+            Path(picture.file),
         )
     return left, top, right, bottom
 

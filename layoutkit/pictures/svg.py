@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from xml.sax.saxutils import escape, quoteattr
 
 from layoutkit.model import Facade, Layout, PlacedRegion, Region, place
@@ -29,11 +29,11 @@ def _lines(document: Facade | Layout) -> Iterator[str]:
     zoom = SHOWN / max(root.width, root.height)
     yield '<?xml version="1.0" encoding="UTF-8"?>'
     yield (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(root.width * zoom)}"'
-        f' height="{_number(root.height * zoom)}" viewBox="0 0 {_number(root.width)} {_number(root.height)}">'
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{number(root.width * zoom)}"'
+        f' height="{number(root.height * zoom)}" viewBox="0 0 {number(root.width)} {number(root.height)}">'
     )
-    yield f"<title>{_text(document.name)}</title>"
-    yield f'<g stroke-width="{_number(max(root.width, root.height) * OUTLINE)}">'
+    yield f"<title>{tooltip([document.name])}</title>"
+    yield f'<g stroke-width="{number(max(root.width, root.height) * OUTLINE)}">'
     for placed in place(root):
         if placed.region.terminal:
             yield _rectangle(placed, root, document.units)
@@ -45,30 +45,31 @@ def _rectangle(placed: PlacedRegion, root: Region, units: str) -> str:
     region, box = placed.region, placed.box
     colour = colour_of(region)
     labels = " ".join(region.labels)
-    tooltip = [placed.path, f"{_number(region.width)} × {_number(region.height)} {units}"]
-    tooltip[1:1] = [labels] if labels else []
+    told = tooltip([placed.path, labels, f"{number(region.width)} × {number(region.height)} {units}"])
     return (
-        f"<rect data-path={quoteattr(_legal(placed.path))} data-labels={quoteattr(_legal(labels))}"
-        f' x="{_number(box.x0)}" y="{_number(root.height - box.y1)}"'
-        f' width="{_number(box.width)}" height="{_number(box.height)}"'
-        f' fill="{_hex(colour)}" stroke="{_hex(darker(colour))}">'
-        f"<title>{_text(chr(10).join(tooltip))}</title></rect>"
+        f"<rect data-path={quoteattr(legal(placed.path))} data-labels={quoteattr(legal(labels))}"
+        f' x="{number(box.x0)}" y="{number(root.height - box.y1)}"'
+        f' width="{number(box.width)}" height="{number(box.height)}"'
+        f' fill="{hexadecimal(colour)}" stroke="{hexadecimal(darker(colour))}">'
+        f"<title>{told}</title></rect>"
     )
 
 
-def _number(value: float) -> str:
+def number(value: float) -> str:
     """Return a number with no more digits than a drawing needs, and no noise of floats."""
     return f"{value:.6g}"
 
 
-def _hex(colour: tuple[int, int, int]) -> str:
+def hexadecimal(colour: tuple[int, int, int]) -> str:
+    """Return a colour as drawings write it."""
     return "#{:02x}{:02x}{:02x}".format(*colour)
 
 
-def _text(text: str) -> str:
-    return escape(_legal(text))
+def tooltip(lines: Iterable[str]) -> str:
+    """Return the text of a title, one line for each that says something."""
+    return escape(legal("\n".join(filter(None, lines))))
 
 
-def _legal(text: str) -> str:
+def legal(text: str) -> str:
     """Replace the control characters that XML cannot hold."""
     return "".join(c if c in "\t\n\r" or c >= " " else "\N{REPLACEMENT CHARACTER}" for c in text)

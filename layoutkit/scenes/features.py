@@ -132,6 +132,40 @@ class Features:
         by_type = {"polygon": whole, "segment": self.segment_polygon, "corner": self.corner_polygon}
         return by_type[kind]
 
+    def take(self, polygons: Indices) -> Features:
+        """Return the features of some of the polygons, given in ascending order."""
+        edge_counts = np.diff(np.append(self.polygon_first, len(self.length)))
+        kept = np.zeros(len(edge_counts), bool)
+        kept[polygons] = True
+        edges = np.repeat(kept, edge_counts)
+        segments = np.flatnonzero(kept[self.segment_polygon])
+        corners = np.flatnonzero(kept[self.corner_polygon])
+        numbers = np.cumsum(kept) - 1
+        shift = np.concatenate([[0], np.cumsum(edges)])  # how many edges are kept before each
+        return Features(
+            start=self.start[edges],
+            end=self.end[edges],
+            length=self.length[edges],
+            polygon_first=shift[self.polygon_first[polygons]],
+            segment_first=shift[self.segment_first[segments]],
+            polygon_angle=self.polygon_angle[polygons],
+            polygon_box=self.polygon_box[polygons],
+            polygon_area=self.polygon_area[polygons],
+            polygon_centroid=self.polygon_centroid[polygons],
+            segment_polygon=numbers[self.segment_polygon[segments]],
+            segment_length=self.segment_length[segments],
+            segment_curvature=self.segment_curvature[segments],
+            segment_closed=self.segment_closed[segments],
+            corner_polygon=numbers[self.corner_polygon[corners]],
+            corner_at=self.corner_at[corners],
+            corner_before=self.corner_before[corners],
+            corner_after=self.corner_after[corners],
+            corner_opening=self.corner_opening[corners],
+            polygon_labels=tuple(self.polygon_labels[index] for index in polygons),
+            segment_labels=tuple(self.segment_labels[index] for index in segments),
+            corner_labels=tuple(self.corner_labels[index] for index in corners),
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class _Segment:

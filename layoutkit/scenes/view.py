@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from layoutkit.scenes.features import Array, Features, Indices
 
@@ -53,6 +55,21 @@ class View:
     def segment_distance(self) -> Array:
         """Distances to segments."""
         return self._distance(self.features.segment_first)
+
+    @cached_property
+    def polygon_inside(self) -> NDArray[np.bool_]:
+        """Whether points are inside polygons: a ray from them crosses the boundary an odd number of times."""
+        features = self.features
+        if not len(features.polygon_first):
+            return np.zeros((len(self.points), 0), bool)
+        x, y = self.points[:, :1], self.points[:, 1:]
+        (ax, ay), (bx, by) = features.start.T, features.end.T
+        between = (ay > y) != (by > y)
+        rise = np.where(by == ay, 1.0, by - ay)
+        crossed = between & (x < ax + (y - ay) / rise * (bx - ax))
+        counts = np.add.reduceat(crossed.astype(np.int64), features.polygon_first, axis=1)
+        odd: NDArray[np.bool_] = counts % 2 == 1
+        return odd
 
     @cached_property
     def polygon_edge(self) -> Indices:
@@ -107,17 +124,17 @@ class View:
     def _nearest(self, first: Indices) -> Indices:
         """Return the nearest edge within each run of edges."""
         squares = self._edges[0]
-        found = np.zeros((len(self.points), len(first)), np.intp)
-        for column, (begin, after) in enumerate(
-            zip(first, np.append(first[1:], squares.shape[1]), strict=True)
-        ):
+        if len(first) == squares.shape[1]:  # each run is a single edge
+            return np.broadcast_to(np.arange(len(first)), squares.shape)
+        found = np.empty((len(self.points), len(first)), np.intp)
+        for column, (begin, after) in enumerate(pairwise([*first.tolist(), squares.shape[1]])):
             found[:, column] = begin + np.argmin(squares[:, begin:after], axis=1)
         return found
 
     def _arc(self, edges: Indices, first: Indices) -> Array:
         length = self.features.length
         before = np.concatenate([[0.0], np.cumsum(length)])
-        ends = np.append(first[1:], len(length))
+        ends = np.append(first[1:], len(length))[: len(first)]
         share = np.take_along_axis(self._edges[1], edges, axis=1)
         reached: Array = before[edges] + share * length[edges] - before[first]
         arc: Array = reached / (before[ends] - before[first])

@@ -1,11 +1,14 @@
-"""What this package adds to layoutkit: relationship functions, and the stages `propagate` and `place`."""
+"""What this package adds: relationship functions, and the stages `propagate`, `learn` and `place`."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from layoutkit.hooks.specs import Stage, hookimpl
-from layoutkit.scenes.relationship import Relationship
+
+if TYPE_CHECKING:
+    from layoutkit.scenes.relationship import Relationship
 
 
 @hookimpl
@@ -19,4 +22,8 @@ def layoutkit_relationships() -> Iterable[Relationship]:
 @hookimpl
 def layoutkit_stages() -> Iterable[Stage]:
     """Return the stages."""
-    return ()
+    from layoutkit_placement.stages.learn import Learn
+    from layoutkit_placement.stages.place import Place
+    from layoutkit_placement.stages.propagate import Propagate
+
+    return (Propagate(), Learn(), Place())

@@ -56,9 +56,9 @@ USAGE = {
     "unknown kind of picture": (
         ["render", "x.xml", "-o", "x.gif"],
         "as '.gif'",
-        "end the file's name in .png, .svg or .glb",
+        "end the file's name in .png, .svg, .glb or .geojson",
     ),
-    "no kind of picture": (["render", "x.xml", "-o", "x"], "without a suffix", ".png, .svg or .glb"),
+    "no kind of picture": (["render", "x.xml", "-o", "x"], "without a suffix", ".svg, .glb or .geojson"),
 }
 
 

@@ -17,8 +17,9 @@ from layoutkit.constraints import Constraint
 from layoutkit.constraints.attributes import AttributeType
 from layoutkit.constraints.claims import Claim, Relates
 from layoutkit.constraints.word_rules import WordRule
-from layoutkit.hooks import Format, Hooks, Outcome, Stage
+from layoutkit.hooks import Format, Hooks, Outcome, SceneFormat, Stage
 from layoutkit.hooks.checks import constraint_fault
+from layoutkit.scenes.relationship import Relationship
 from layoutkit.sizing.qp import Backend
 from layoutkit.sizing.rules import SizeRule
 from layoutkit.testing import PROMISES, ConstraintSuite
@@ -55,7 +56,10 @@ def test_every_hook_is_documented() -> None:
     assert rows(section("Hooks")).keys() == hooks
 
 
-@pytest.mark.parametrize("cls", [Constraint, Stage, Format, Backend])
+OFFERS = (Constraint, Stage, Format, SceneFormat, Relationship, Backend)
+
+
+@pytest.mark.parametrize("cls", OFFERS)
 def test_every_method_and_class_attribute_is_documented(cls: type) -> None:
     text = section(cls.__name__)
     for inner in ("Attributes", "Rules", "Claims"):
@@ -66,10 +70,10 @@ def test_every_method_and_class_attribute_is_documented(cls: type) -> None:
 
 def test_parameters_are_the_methods_own() -> None:
     text = PAGE.read_text(encoding="utf-8")
-    for cls in (Constraint, Stage, Format, Backend):
+    for cls in OFFERS:
         for name, method in vars(cls).items():
             function = getattr(method, "__func__", method)
-            if name.startswith("_") or not callable(function):
+            if name.startswith("_") or isinstance(function, type) or not callable(function):
                 continue
             code = function.__code__
             count = code.co_argcount + bool(code.co_flags & 0x08)  # **values is a name, too
@@ -144,6 +148,8 @@ def test_every_environment_variable_is_documented() -> None:
         ("plugin-stages.md", Stage),
         ("plugin-stages.md", Outcome),
         ("plugin-qp-backends.md", Backend),
+        ("plugin-scene-formats.md", SceneFormat),
+        ("plugin-relationships.md", Relationship),
     ],
 )
 def test_the_page_of_a_plugin_kind_names_all_that_it_offers(page: str, cls: type) -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from layoutkit import shipped as shipping
 from layoutkit.diagnostics import Faulty
-from layoutkit.samples import list_samples, sample_path
+from layoutkit.samples import list_samples, list_scenes, sample_path
 
 
 def test_samples_have_names_descriptions_and_documents() -> None:
@@ -18,6 +18,13 @@ def test_samples_have_names_descriptions_and_documents() -> None:
     assert all(s.description and s.path.is_file() for s in samples)
     assert [s.name for s in samples if s.mass is not None and s.mass.is_file()] == ["block"]
     assert sample_path("garden") == samples[-1].path
+
+
+def test_scenes_are_samples_as_well() -> None:
+    scenes = list_scenes()
+    assert [s.name for s in scenes] == ["flowers", "bedside", "plots"]
+    assert all(s.description and s.examples.is_file() and s.target.is_file() for s in scenes)
+    assert sample_path("plots") == scenes[-1].examples
 
 
 def test_unknown_samples_are_named_with_the_nearest() -> None:

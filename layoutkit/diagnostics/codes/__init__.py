@@ -2,8 +2,8 @@
 
 One file a group: LK0 files and safety, LK1 structure, LK2 references and constraints, LK24 grids, LK3
 conversion, LK4 plugins, LK5 layouts against facades, LK6 search, LK65 editing, LK7 usage, LK8 masses and
-buildings, LK9 our own faults. A code keeps its meaning for good; retired ones are not given out again.
-Examples stand in `examples`.
+buildings, LK85 and LK86 scenes and placement, LK9 our own faults. A code keeps its meaning for good; retired
+ones are not given out again. Examples stand in `examples`.
 """
 
 from __future__ import annotations
@@ -19,8 +19,10 @@ from layoutkit.diagnostics.codes import (
     grids,
     layouts,
     ours,
+    placement,
     plugins,
     references,
+    scenes,
     search,
     structure,
     usage,
@@ -42,6 +44,8 @@ _GROUPS = (
     editing,
     usage,
     buildings,
+    scenes,
+    placement,
     ours,
 )
 

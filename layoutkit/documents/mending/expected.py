@@ -29,8 +29,17 @@ from layoutkit.documents.grammar import (
 )
 from layoutkit.documents.kinds import Kinds, declared
 from layoutkit.documents.mending.manuscript import Written
+from layoutkit.documents.scene_grammar import (
+    CORNER,
+    EDGE,
+    EXAMPLE,
+    PLACEMENT,
+    PLACEMENT_MODEL,
+    POLYGON,
+    SCENE,
+)
 
-ROOTS = {element.name: element for element in (FACADE, LAYOUT, MASS, SESSION)}
+ROOTS = {element.name: element for element in (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL)}
 #: Declarations hold dictionaries, and so cannot be keys.
 _CHILDREN = (
     (FACADE, (PICTURE, ROOT_REGION, CONSTRAINTS, GRIDS)),
@@ -41,6 +50,10 @@ _CHILDREN = (
     (REGION, (REGION, AGAIN)),
     (GRIDS, (GRID,)),
     (SESSION, (EDIT, RESIZE, DRAG, REGION_SIZE)),
+    (SCENE, (PICTURE, POLYGON, PLACEMENT)),
+    (POLYGON, (EDGE, CORNER)),
+    (PLACEMENT_MODEL, (EXAMPLE,)),
+    (EXAMPLE, (PLACEMENT, POLYGON)),
 )
 
 

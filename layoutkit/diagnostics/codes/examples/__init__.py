@@ -16,6 +16,7 @@ from layoutkit.diagnostics.codes.examples import (
     layouts,
     plugins,
     references,
+    scenes,
     search,
     semantics,
     structure,
@@ -38,6 +39,7 @@ _GROUPS = (
     editing,
     usage,
     buildings,
+    scenes,
 )
 
 #: Every example, by code.

@@ -206,3 +206,42 @@ COMMAND = Frame(
     },
     pictures=("photo.png",),
 )
+#: The parts of a scene.
+SCENE = Frame(
+    "a scene",
+    '<scene xmlns="urn:layoutkit:1" name="room" units="m">\n  …\n</scene>\n',
+    "scene.xml",
+    "layoutkit validate scene.xml",
+)
+#: Geometries as well-known text.
+WKT = Frame("a drawing in WKT", GAP, "drawing.wkt", "layoutkit convert drawing.wkt -o scene.xml")
+#: Coordinates of a polygon in GeoJSON.
+GEOJSON = Frame(
+    "a drawing in GeoJSON",
+    '{"type": "Polygon", "coordinates":\n  …\n}\n',
+    "drawing.geojson",
+    "layoutkit convert drawing.geojson -o scene.xml",
+)
+_FLATS = """\
+[{"id": 7, "geometries": {"kitchen": ["POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))"]}},
+ {"id": 8, "geometries": {"living": ["POLYGON ((0 0, 6 0, 6 4, 0 4, 0 0))"]}}]
+"""
+_CORNERS = ", ".join(f'{{"x": {x}, "y": 0, "z": {z}}}' for x, z in ((0, 0), (0, 3), (4, 3), (4, 0)))
+_FLOOR = f'"roomType": "Kitchen", "floorPolygon": [{_CORNERS}]'
+_CHAIR = '"assetId": "Chair_1", "position": {"x": 1, "y": 0.5, "z": 2}, "rotation": {"x": 0, "y": 90, "z": 0}'
+_FURNISHED = f'{{"rooms": [{{"id": "room|1", {_FLOOR}}}], "objects": [{{{_CHAIR}}}]}}\n'
+#: Commands, in a folder with files that hold scenes.
+SCENE_FILES = Frame(
+    "a folder of drawings",
+    GAP,
+    "",
+    GAP,
+    {
+        "flats.json": _FLATS,
+        "bare/house.jsonl": _FURNISHED,
+        "furnished/house.jsonl": _FURNISHED,
+        "furnished/asset-database.json": (
+            '{"Chair": [{"assetId": "Chair_1", "boundingBox": {"x": 0.5, "y": 1, "z": 0.5}}]}\n'
+        ),
+    },
+)

@@ -1,0 +1,115 @@
+"""``layoutkit place``: shapes put into a scene, as examples show it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from layoutkit.cli.declared import declared_by, given
+from layoutkit.cli.editing import misused
+from layoutkit.cli.learn import ChosenExamples, ExampleParts, LearnedLabel, learned
+from layoutkit.cli.options import Json, finite
+from layoutkit.cli.placing import Afresh, ContributionsFile, HeatFile, Limit, PictureScale, Targets, finish
+from layoutkit.cli.scene_files import Part, SceneOutputs
+from layoutkit.cli.scenes import read_scene
+from layoutkit.cli.session import Session
+from layoutkit.model import LearningSettings, PlacementModel
+
+EXAMPLES = """
+Examples:
+
+- `layoutkit place front.xml house.xml -o placed.xml -o placed.png`
+
+- `layoutkit place first.xml second.xml third.xml --label Balcony --limit 8 -o balconies.svg`
+
+- `layoutkit place flower-boxes.xml house.xml --heat heat.png --contributions why.png -o placed.png`
+"""
+
+
+@declared_by(LearningSettings, "settings")
+def place(
+    context: typer.Context,
+    examples: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="EXAMPLES...",
+            help="Scenes with examples, any kind of file; or a placement model that `layoutkit learn` made.",
+        ),
+    ],
+    scene_file: Annotated[
+        Path, typer.Argument(metavar="SCENE", help="The scene to place shapes in; any kind of file.")
+    ],
+    output: SceneOutputs,
+    label: LearnedLabel = None,
+    chosen: ChosenExamples = None,
+    limit: Limit = None,
+    threshold: Annotated[
+        float | None,
+        typer.Option(
+            show_default=False, help="Only placements with at least this score; an example has about 1."
+        ),
+    ] = None,
+    afresh: Afresh = False,
+    part: Part = None,
+    parts: ExampleParts = None,
+    heat: HeatFile = None,
+    contributions: ContributionsFile = None,
+    scale: PictureScale = 1.0,
+    settings: LearningSettings = LearningSettings(),  # noqa: B008 - frozen
+    as_json: Json = False,
+) -> int:
+    """Place shapes in a scene as they are placed in examples, the best first.
+
+    Examples are the placements and polygons of a label in one or more scenes; what else stands there is what
+    they are related to. The scene is written with placements, each an oriented box with a score.
+    """
+    session = Session.of(context)
+    targets = Targets(output, heat, contributions, scale)
+    targets.check([*examples, scene_file])
+    model = _model(session, context, examples, parts, label, chosen, settings)
+    scene = read_scene(session, scene_file, part)
+    if afresh:
+        from layoutkit.cli.clearing import cleared
+
+        scene = cleared(scene, model.label)
+    asked: dict[str, Any] = {"limit": limit, "evidence": targets.evidence}
+    asked["relationships"] = tuple(session.host.relationships.values())
+    if threshold is not None:
+        asked["threshold"] = finite(threshold)
+    (outcome,) = session.run("place", scene, model=model, **asked)
+    session.report(outcome.diagnostics)
+    return finish(session, outcome, scene, scene_file, targets, as_json)
+
+
+def _model(
+    session: Session,
+    context: typer.Context,
+    files: Sequence[Path],
+    parts: Sequence[str] | None,
+    label: str | None,
+    chosen: str | None,
+    settings: LearningSettings,
+) -> PlacementModel:
+    """Return the model that is named, or else what is learned from examples."""
+    from layoutkit import documents
+
+    models = [file for file in files if documents.is_placement_model(file)]
+    if not models:
+        document = learned(session, files, parts, label, chosen, settings).document
+        assert isinstance(document, PlacementModel)
+        return document
+    if len(files) > 1:
+        raise misused(f"{models[0]} is a placement model, and others are named with it", "name it alone")
+    options = [*(["--examples"] if chosen else []), *(["--example-part"] if parts else [])]
+    options += given(context, LearningSettings)
+    if options:
+        message = f"{models[0]} was learned already: {', '.join(options)} can change nothing"
+        raise misused(message, "give `layoutkit learn` these options")
+    read = documents.read_placement_model(models[0])
+    session.report(read.diagnostics)
+    if label not in (None, read.model.label):
+        raise misused(f"{models[0]} places {read.model.label}, and not {label}", "leave --label away")
+    return read.model

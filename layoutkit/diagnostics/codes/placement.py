@@ -1,0 +1,49 @@
+"""Placement by example: shapes that go nowhere, and why (LK862 to LK869)."""
+
+from __future__ import annotations
+
+from layoutkit.diagnostics.codes.code import Code
+from layoutkit.diagnostics.diagnostic import Severity
+
+CODES = (
+    Code(
+        "LK865",
+        "propagation that makes no sense",
+        "There is no shape to propagate, it has no size, or a setting is of no use as it stands.",
+        "A misspelt name, a number out of its range, or an array with one end.",
+        "Do as the hint says.",
+    ),
+    Code(
+        "LK866",
+        "shape beside nothing",
+        "No polygon is near enough to the shape to be related to it, so no place is like its own.",
+        "A scene of only the shapes that are to be propagated, or a shape far outside.",
+        "Propagate a shape that stands in a polygon, or beside one.",
+        severity=Severity.WARNING,
+    ),
+    Code(
+        "LK867",
+        "no polygon like that around a shape",
+        "A shape goes to polygons with the labels of the one that it stands in, and the scene has none.",
+        "Rooms that are labelled by one name here and by another there, or not at all.",
+        "Label alike what is alike in both scenes.",
+        severity=Severity.WARNING,
+    ),
+    Code(
+        "LK868",
+        "array without an end",
+        "An array runs along one polygon. No place that was found for its last shape is nearest to the same "
+        "polygon as one for its first.",
+        "A first and a last shape that stand beside different polygons.",
+        "Choose a first and a last shape beside one polygon, or lower the threshold.",
+        severity=Severity.WARNING,
+    ),
+    Code(
+        "LK869",
+        "no polygon to carry by",
+        "Local coordinates are those of the polygon that shapes stand in, and they stand in none.",
+        "A scene without rooms, or a shape outside of all.",
+        "Propagate it by relationships.",
+        severity=Severity.WARNING,
+    ),
+)

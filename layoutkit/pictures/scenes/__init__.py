@@ -1,0 +1,1 @@
+"""Pictures of scenes: polygons and placements, heat maps over them, and what speaks for each placement."""

@@ -1,0 +1,119 @@
+"""How well each sample point alone would stand at the points of a grid, exactly or from above.
+
+Guerrero et al. 2015, section 3.5: one model for each sample point, sampled on a dense grid.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layoutkit.scenes.features import Array, Features, Indices
+from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.learning.descriptors import FeatureSets, Terms, Vocabulary, describe
+from layoutkit_placement.learning.grid import Grid, boxes_about, near
+from layoutkit_placement.learning.kernel import Stacks, kernel, kernel_above
+from layoutkit_placement.learning.tables import Tables, bounds, tables
+
+
+@dataclass(frozen=True)
+class PointModel:
+    """What was learned of one sample point.
+
+    Attributes
+    ----------
+    examples
+        The feature sets of the examples, of this sample point alone.
+    weights
+        How much the similarity to each counts.
+    words
+        Numbers of labels.
+    """
+
+    examples: Stacks
+    weights: Array
+    words: Vocabulary
+
+    def values(self, queries: FeatureSets, count: int) -> Array:
+        """Return how well some points agree with all examples, shape (count,)."""
+        return kernel(self.examples, len(self.weights), queries, count) @ self.weights
+
+    def values_above(self, queries: FeatureSets, count: int, least: float) -> tuple[Array, NDArray[np.bool_]]:
+        """Return the values of some points, those that may reach `least` exactly, others from above."""
+        return kernel_above(self.examples, self.weights, queries, count, least)
+
+    @cached_property
+    def tables(self) -> Tables:
+        """What a feature adds at most."""
+        return tables(self.examples, self.weights, len(self.words))
+
+
+class Heat:
+    """The values of sample points over one area, computed tile by tile where they are asked for.
+
+    Parameters
+    ----------
+    area
+        Where shapes are to be placed.
+    grid
+        The points that are asked for.
+    models
+        One for each sample point.
+
+    Attributes
+    ----------
+    points, tile_of
+        The points, and the number of each one's tile.
+    """
+
+    def __init__(self, area: Area, grid: Grid, terms: Terms, models: Sequence[PointModel]) -> None:
+        self.grid, self.models = grid, tuple(models)
+        self.points = grid.points
+        self.tile_of = np.zeros(len(self.points), np.intp)
+        self._place = np.zeros(len(self.points), np.intp)
+        self._tiles = tuple(grid.tiles())
+        self._sets: list[FeatureSets] = []
+        self._features: list[Features] = []
+        boxes = boxes_about(area.features)
+        for number, tile in enumerate(self._tiles):
+            self.tile_of[tile], self._place[tile] = number, np.arange(len(tile))
+            points = self.points[tile]
+            features = area.features.take(near(boxes, points, terms.farthest))
+            self._features.append(features)
+            self._sets.append(describe(points[:, None], features, terms, models[0].words))
+
+    def exact(self, sample: int, indices: Indices) -> Array:
+        """Return the values of one sample point at some points of the grid."""
+        return self.above(sample, indices, 0.0)[0]
+
+    def above(self, sample: int, indices: Indices, least: float) -> tuple[Array, NDArray[np.bool_]]:
+        """Return the values of one sample point, exactly where they may reach `least`, and where that is."""
+        found, known = np.empty(len(indices)), np.empty(len(indices), bool)
+        numbers = self.tile_of[indices]
+        for number in np.unique(numbers):
+            chosen = np.flatnonzero(numbers == number)
+            places = self._place[indices[chosen]]
+            sets = {of: group.shapes(places) for of, group in self._sets[number].items()}
+            found[chosen], known[chosen] = self.models[sample].values_above(sets, len(chosen), least)
+        return found, known
+
+    def seen_from(self, index: int) -> tuple[FeatureSets, Features]:
+        """Return the feature sets of one point of the grid, and the features that their members are of."""
+        number = self.tile_of[index]
+        place = self._place[[index]]
+        sets = {of: group.shapes(place) for of, group in self._sets[number].items()}
+        return sets, self._features[number]
+
+    def bounds(self, sample: int) -> Array:
+        """Return what no value of one sample point exceeds, at all points of the grid."""
+        own = self.models[sample].tables
+        found = np.zeros(len(self.points))
+        for tile, sets in zip(self._tiles, self._sets, strict=True):
+            for of, group in sets.items():
+                if of in own and len(group.codes):
+                    found[tile] += bounds(group, own[of])
+        return found

@@ -1,0 +1,92 @@
+"""The search for candidate placements in one area."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+
+from layoutkit.scenes.features import Array
+from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.learning.candidates import distinct, free_candidates, upright_candidates
+from layoutkit_placement.learning.deformation import Deformation
+from layoutkit_placement.learning.descriptors import Terms
+from layoutkit_placement.learning.grid import Grid
+from layoutkit_placement.learning.heat import Heat, PointModel
+from layoutkit_placement.learning.maxima import Maxima, maxima
+from layoutkit_placement.learning.refining import refined
+from layoutkit_placement.learning.samples import Boxes, sample_points
+
+#: Lengths, in the deviation of lengths: between points of the grid, about it, and about a maximum.
+STEP, MARGIN, RADIUS = 1.5, 2.5, 2.5
+#: Maxima below this share of the greatest are none. (The paper's 10 % leave hundreds that nothing needs.)
+FLOOR = 0.6
+#: At most so many maxima of each sample point, and candidates, in one area.
+MAXIMA, CANDIDATES = 80, 200
+
+
+def candidates(
+    area: Area,
+    angles: Sequence[float] | None,
+    terms: Terms,
+    models: Sequence[PointModel],
+    deformation: Deformation,
+) -> Boxes:
+    """Return boxes in an area that might be good placements.
+
+    Parameters
+    ----------
+    angles
+        The orientations that are allowed, in radians; None: any.
+    """
+    length = terms.length
+    if not area.polygons:
+        return np.zeros((0, 5))
+    heat = Heat(area, grid_of(area, terms), terms, models)
+    points, values = [], []
+    for sample in range(len(models)):
+        bounds = heat.bounds(sample)
+        own = partial(heat.above, sample)
+        found = maxima(heat.grid, heat.tile_of, bounds, own, RADIUS * length, FLOOR, MAXIMA)
+        points.append(_refined(heat, sample, found, terms))
+        values.append(bounds)
+    boxes = _spanned(points, angles, deformation)
+    support = _support(boxes, heat.grid, values) * deformation.factors(boxes)
+    return distinct(boxes, support, length / 2, CANDIDATES)
+
+
+def grid_of(area: Area, terms: Terms) -> Grid:
+    """Return the points of an area that are looked at."""
+    return Grid.over(area, STEP * terms.length, MARGIN * terms.length)
+
+
+def _refined(heat: Heat, sample: int, found: Maxima, terms: Terms) -> Array:
+    """Return the points of maxima between those of the grid, shape (maxima, 2)."""
+    own = heat.models[sample]
+    points = [
+        refined(heat.points[index], *heat.seen_from(index), terms, own, heat.grid.step)
+        for index in found.indices
+    ]
+    return np.array(points).reshape(-1, 2)
+
+
+def _spanned(points: Sequence[Array], angles: Sequence[float] | None, deformation: Deformation) -> Boxes:
+    if angles is None:
+        return free_candidates(points, deformation)
+    return np.concatenate(
+        [np.zeros((0, 5)), *(upright_candidates(points, angle, deformation) for angle in angles)]
+    )
+
+
+def _support(boxes: Boxes, grid: Grid, values: Sequence[Array]) -> Array:
+    """Return the sum of what speaks for the sample points of boxes, at the nearest points of the grid."""
+    points = sample_points(boxes)
+    columns = np.rint((points[..., 0] - grid.x) / grid.step).astype(np.intp)
+    rows = np.rint((points[..., 1] - grid.y) / grid.step).astype(np.intp)
+    inside = (columns >= 0) & (columns < grid.columns) & (rows >= 0) & (rows < grid.rows)
+    at = np.where(inside, rows * grid.columns + columns, 0)
+    found = np.zeros(len(boxes))
+    for sample, own in enumerate(values):
+        found += np.where(inside[:, sample], own[at[:, sample]], 0.0)
+    return found

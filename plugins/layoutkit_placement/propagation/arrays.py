@@ -1,0 +1,113 @@
+"""Arrays of a shape along offset curves, from a first to a last one (section 9)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from layoutkit.model.scene import Placement, Polygon
+from layoutkit.scenes.features import Array, Features
+from layoutkit.scenes.shapes import shapes
+from layoutkit.scenes.view import View
+from layoutkit_placement.functions.directional import wrapped
+from layoutkit_placement.functions.tangents import around_polygons, tangents
+
+#: A last shape this near to the first, in spacings, closes the round.
+CLOSED = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """The first and the last shape of an array, and the polygon along whose boundary it runs."""
+
+    first: Placement
+    last: Placement
+    polygon: Polygon
+
+
+def pairs(
+    firsts: Sequence[Placement], lasts: Sequence[Placement], polygons: Sequence[Polygon], apart: float = 0.0
+) -> Iterator[Pair]:
+    """Yield first shapes with the nearest last one that the same polygon is closest to; others have none.
+
+    Last ones nearer than `apart` are not taken, which is for arrays that do not close.
+    """
+    if not (firsts and lasts and polygons):
+        return
+    features = Features.of(polygons)
+    own, other = _nearest(firsts, features), _nearest(lasts, features)
+    for first, polygon in zip(firsts, own, strict=True):
+        fitting = [
+            last
+            for last, its in zip(lasts, other, strict=True)
+            if its == polygon and math.dist((last.x, last.y), (first.x, first.y)) >= apart
+        ]
+        if fitting:
+            last = min(fitting, key=lambda each: math.dist((each.x, each.y), (first.x, first.y)))
+            yield Pair(first, last, polygons[polygon])
+
+
+def array(pair: Pair, spacing: float) -> tuple[Placement, ...]:
+    """Return the shapes of an array: the first, and others at that spacing as far as the last.
+
+    They stand on the curve at the first one's distance from the boundary, on the shorter way to the place
+    on it that is nearest to the last; all around where both are at one place. Each keeps the first
+    one's angle to the boundary.
+    """
+    curve = _offset(pair)
+    if curve is None:
+        return (pair.first,)
+    begin, end = (_along(curve, shape) for shape in (pair.first, pair.last))
+    length = float(curve.length)
+    way = (end - begin + length / 2) % length - length / 2
+    if abs(way) < CLOSED * spacing:
+        count = max(1, round(length / spacing))
+        arcs = begin + np.arange(count) * (length / count)
+    else:
+        count = math.floor(abs(way) / spacing + 1e-6) + 1
+        arcs = begin + math.copysign(spacing, way) * np.arange(count)
+    points = np.array([curve.interpolate(arc % length).coords[0] for arc in arcs])
+    return tuple(_turned(pair, points))
+
+
+def _turned(pair: Pair, points: Array) -> Iterator[Placement]:
+    """Yield the first shape at other points, at its angle to the boundary."""
+    features = Features.of((pair.polygon,))
+    start = np.array([[pair.first.x, pair.first.y]])
+    view = View(np.concatenate([start, points]), features)
+    runs = tangents(view, view.polygon_edge, around_polygons(features))[:, 0]
+    turned = np.degrees(wrapped(runs[1:] - runs[0]))
+    score = None if pair.first.score is None else min(pair.first.score, pair.last.score or 0.0)
+    for (x, y), turn in zip(points, turned, strict=True):
+        angle = math.remainder(pair.first.angle + float(turn), 360)
+        yield replace(pair.first, x=float(x), y=float(y), angle=angle, score=score)
+
+
+def _offset(pair: Pair) -> Any:  # shapely ships no types
+    """Return the curve at the first shape's distance from the polygon nearest to it, if any."""
+    import shapely
+
+    (shape,) = shapes([pair.polygon])
+    at = shapely.Point(pair.first.x, pair.first.y)
+    distance = shape.exterior.distance(at)
+    if distance <= 1e-9 * shape.length:
+        return shape.exterior
+    sign = -1.0 if shape.contains(at) else 1.0
+    grown = shape.buffer(sign * distance * (1 - 1e-9), quad_segs=64)
+    rings = [part.exterior for part in getattr(grown, "geoms", [grown]) if not part.is_empty]
+    return min(rings, key=lambda ring: ring.distance(at), default=None)
+
+
+def _along(curve: Any, shape: Placement) -> float:
+    import shapely
+
+    return float(curve.project(shapely.Point(shape.x, shape.y)))
+
+
+def _nearest(placed: Sequence[Placement], features: Features) -> Sequence[int]:
+    points = np.array([(shape.x, shape.y) for shape in placed])
+    return [int(index) for index in View(points, features).polygon_distance.argmin(axis=1)]

@@ -1,0 +1,108 @@
+"""The stage that places shapes in a scene as a model says."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+from layoutkit.diagnostics import Diagnostic, Faulty, Severity
+from layoutkit.hooks.specs import Outcome, Stage
+from layoutkit.model.learning import PlacementModel
+from layoutkit.model.scene import Scene
+from layoutkit.scenes.relationship import Relationship
+from layoutkit_placement.learning.spacing import Spacing
+
+_TOPIC = "placement"
+
+
+@dataclass(frozen=True)
+class PlaceOptions:
+    """Options of the stage `place`.
+
+    Attributes
+    ----------
+    model
+        What was learned.
+    limit
+        How many placements are wanted at most; None: all.
+    threshold
+        The least score.
+    spacing
+        How shapes that keep their size fill placements, instead of one that is stretched; None: not.
+    evidence
+        Whether what speaks for the placements is wanted too: that takes many times as long.
+    relationships
+        The relationship functions that the model may name; none: those that are built in.
+    """
+
+    model: PlacementModel | None = None
+    limit: int | None = None
+    threshold: float = 0.0
+    spacing: Spacing | None = None
+    evidence: bool = False
+    relationships: tuple[Relationship, ...] = ()
+
+
+class Place(Stage):
+    """Places shapes as was learned (Guerrero et al. 2015)."""
+
+    name: ClassVar[str] = "place"
+    summary: ClassVar[str] = "Places shapes in a scene where examples would have them."
+    options: ClassVar[type] = PlaceOptions
+    takes: ClassVar[type] = Scene
+
+    def run(self, scene: Scene, options: PlaceOptions) -> Iterator[Outcome]:
+        """Yield the scene once, with the shapes that were placed behind the placements that it has.
+
+        Raises
+        ------
+        Faulty
+            If there is no model, or it names functions that are not known (LK872).
+        """
+        from layoutkit.scenes.soundness import examined
+        from layoutkit.sizing.threads import single_threaded
+        from layoutkit_placement.functions import BUILT_IN
+        from layoutkit_placement.learning.evidence import evidence
+        from layoutkit_placement.learning.models import fitted_of
+
+        if options.model is None:
+            message, hint = "there is no model to place shapes by", "learn one from examples"
+            raise Faulty([Diagnostic("LK872", message, hint=hint, topic=_TOPIC)])
+        start = time.perf_counter()
+        with single_threaded():
+            fitted = fitted_of(options.model, options.relationships or BUILT_IN)
+            found = fitted.propose(scene, options.limit, options.threshold)
+            speaking = evidence(fitted, scene, found) if options.evidence else None
+        if options.spacing is not None:
+            found = tuple(one for whole in found for one in options.spacing.filled(whole, fitted.sizes))
+        placed = replace(scene, placements=(*scene.placements, *found))
+        remarks = [
+            *examined(scene.polygons).left_out,
+            *_remarks(options.model, scene, bool(found), fitted.parents),
+        ]
+        yield Outcome("found", placed, tuple(remarks), time.perf_counter() - start, evidence=speaking)
+
+
+def _remarks(
+    model: PlacementModel, scene: Scene, found: bool, parents: frozenset[tuple[str, ...]]
+) -> Iterator[Diagnostic]:
+    """Say why nothing was placed, and where units differ."""
+    if model.units != scene.units:
+        yield Diagnostic(
+            "LK874",
+            f"the examples are in {model.units}, the scene in {scene.units}",
+            hint="sizes are taken as they stand: scale one of them if they are to agree",
+            severity=Severity.WARNING,
+            topic=_TOPIC,
+        )
+    if found:
+        return
+    own = {tuple(sorted(set(polygon.labels))) for polygon in scene.polygons} | {()}
+    hint = "lower the threshold, or raise the tolerance; or give the scene what the examples stand beside"
+    if parents.isdisjoint(own):
+        named = ", ".join(" ".join(labels) for labels in sorted(parents))
+        hint = f"the examples stand in {named}, and the scene has none: label alike what is alike"
+    message = f"no place was found for {model.label or 'the shape'}"
+    yield Diagnostic("LK875", message, hint=hint, severity=Severity.WARNING, topic=_TOPIC)
