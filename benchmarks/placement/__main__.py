@@ -3,12 +3,13 @@
     python -m benchmarks.placement [--operations sills,beds] [--methods learned,closest] [--splits 25]
                                    [--half tuning|report|all] [--jobs 2] [--smoke] [--results STEM]
 
-In each of 25 splits an example is drawn from each of five scenes. What is learned from the first, the first
-two, and so on proposes placements in other scenes (`--tests` of them); a proposal that overlaps a shape by at
-least half of what both cover is right, one for each shape; F1 is taken at the threshold that is best for these
-proposals, for every method alike. The table has the mean over splits and over two to five examples.
+In each of 25 splits an example is drawn from each of five scenes. What is learned from the first, the
+first two, and so on proposes placements in other scenes (`--tests` of them). A proposal that overlaps a
+shape by at least half of what both cover is right, one for each shape. F1 is taken at the threshold that is
+best for these proposals, for every method alike. The table has the mean over splits and over two to five
+examples.
 
-`scenes.py`, `facades.py` and `rooms.py` say what the scenes are, `operations.py` what stands in them before
+`facades.py` and `rooms.py` say what the scenes are, `operations.py` what stands in them before
 each operation, `methods.py` what is compared.
 """
 
@@ -18,6 +19,7 @@ import argparse
 import json
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from benchmarks.placement import summary
@@ -28,20 +30,20 @@ from benchmarks.placement.running import Plan, run
 DATA = Path(__file__).parents[3] / "shared" / "data"
 
 
-def main() -> None:
+def main(given: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.placement", description="measure placement")
     parser.add_argument("--operations", help=", ".join(each.name for each in OPERATIONS))
     parser.add_argument("--methods", help=", ".join(METHODS))
     parser.add_argument("--splits", type=int, default=25)
     parser.add_argument("--examples", default="1,2,3,4,5", help="numbers of examples")
-    parser.add_argument("--tests", default="2,6", help="scenes of each split: facades, rooms")
+    parser.add_argument("--tests", default="1,2", help="scenes of each split: facades, rooms")
     parser.add_argument("--half", choices=("tuning", "report", "all"), default="report", help="of the scenes")
     parser.add_argument("--jobs", type=int, default=2, help="processes")
     parser.add_argument("--seed", type=int, default=0, help="of the splits")
     parser.add_argument("--smoke", action="store_true", help="one split, one scene, two numbers of examples")
     parser.add_argument("--data", type=Path, default=DATA, help="the folder of cmp/ and floorplans/")
     parser.add_argument("--results", type=Path, metavar="STEM", help="write STEM.txt and STEM.json")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(given)
     if not arguments.data.is_dir():
         parser.error(f"{arguments.data} is not a folder; name that of the real data with --data")
     plan = _plan(parser, arguments)
@@ -90,8 +92,8 @@ def _chosen(
 def _told(plan: Plan, found: tuple[summary.Figures, ...], seconds: float) -> str:
     facades, rooms = plan.tests
     heading = (
-        f"{plan.splits} splits, scenes of half '{plan.half}', tried on {facades} facades or {rooms} rooms each "
-        f"(seed {plan.seed}); {seconds / 60:.1f} min"
+        f"{plan.splits} splits, scenes of half '{plan.half}', tried on {facades} facades or {rooms} rooms "
+        f"each (seed {plan.seed}); {seconds / 60:.1f} min"
     )
     return "\n\n".join(
         [

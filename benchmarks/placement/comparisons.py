@@ -117,7 +117,8 @@ class Histograms:
     def alike(self, own: Vectors, others: Vectors) -> Array:
         """Return the intersections of the histograms."""
         used = np.flatnonzero(own.values[0])
-        return np.minimum(others.values[:, used], own.values[0, used]).sum(axis=1, dtype=float)
+        shared: Array = np.minimum(others.values[:, used], own.values[0, used]).sum(axis=1, dtype=float)
+        return shared
 
     def _heights(self, tuples: Tuples) -> Numbers:
         count, samples, _, size = tuples.values.shape
@@ -138,9 +139,9 @@ class Histograms:
 class Gaussian:
     """One Gaussian of the distance over all tuples at once, each feature with the one that fits it best.
 
-    As the arrangement model of Fisher et al. 2012 is adapted in section 5 of Guerrero et al. 2015. The squared
-    distance is the mean over the features of the example, by their importance: its sum would be 0 wherever
-    there are many.
+    As Guerrero et al. 2015 adapt the arrangement model of Fisher et al. 2012 in section 5. The squared
+    distance is the mean over the features of the example, by their importance: of its sum, the Gaussian would
+    be 0 wherever there are many.
 
     Attributes
     ----------

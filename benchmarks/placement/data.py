@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Literal
 
@@ -20,7 +20,7 @@ FOLDERS: Mapping[Domain, str] = {"facades": "cmp", "rooms": "floorplans"}
 READERS: Mapping[Domain, Callable[[Path], tuple[Scene, ...]]] = {"facades": facades, "rooms": rooms}
 
 
-@lru_cache(maxsize=None)
+@cache
 def scenes(domain: Domain, data: Path) -> tuple[Scene, ...]:
     """Return all scenes of a domain, in the order of their names."""
     return READERS[domain](data / FOLDERS[domain])
@@ -31,7 +31,7 @@ def half(found: tuple[Scene, ...], which: Half) -> tuple[Scene, ...]:
     return found[{"tuning": slice(0, None, 2), "report": slice(1, None, 2), "all": slice(None)}[which]]
 
 
-@lru_cache(maxsize=None)
+@cache
 def stages_of(name: str, data: Path, which: Half) -> tuple[Stage, ...]:
     """Return the stages of an operation in one half of its domain's scenes."""
     operation = operation_of(name)

@@ -28,21 +28,17 @@ class Fitted(Protocol):
 
 
 class Method(Protocol):
-    """A way to place shapes by example.
-
-    Attributes
-    ----------
-    name
-        What tables call it.
-    most
-        From how many examples it can learn.
-    """
+    """A way to place shapes by example."""
 
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """What tables call it."""
+        ...
 
     @property
-    def most(self) -> int: ...
+    def most(self) -> int:
+        """From how many examples it can learn."""
+        ...
 
     def fit(self, examples: Sequence[Example], settings: LearningSettings) -> Fitted:
         """Learn from examples."""

@@ -19,7 +19,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from layoutkit.model.learning import Example, LearningSettings
-from layoutkit.model.scene import Placement, Polygon, Scene
+from layoutkit.model.scene import Placement, Scene
+from layoutkit_placement.learning import placement_of
 
 Domain = Literal["facades", "rooms"]
 
@@ -104,22 +105,5 @@ def stages(operation: Operation, scenes: Sequence[Scene]) -> tuple[Stage, ...]:
 def stage(operation: Operation, scene: Scene) -> Stage:
     """Return a scene as it is before an operation."""
     present = tuple(p for p in scene.polygons if not set(p.labels).isdisjoint(operation.present))
-    truths = tuple(box(p, operation.label) for p in scene.polygons if operation.label in p.labels)
+    truths = tuple(placement_of(p, operation.label) for p in scene.polygons if operation.label in p.labels)
     return Stage(Scene(scene.name, scene.units, present), truths)
-
-
-def box(polygon: Polygon, label: str) -> Placement:
-    """Return a polygon's box along its main orientation."""
-    from layoutkit.scenes.features import Features
-
-    features = Features.of([polygon])
-    angle, (u0, v0, u1, v1) = float(features.polygon_angle[0]), features.polygon_box[0].tolist()
-    return turned(angle, (u0 + u1) / 2, (v0 + v1) / 2, u1 - u0, v1 - v0, label)
-
-
-def turned(angle: float, u: float, v: float, width: float, height: float, label: str) -> Placement:
-    """Return a box whose centre is stated in axes that are turned by an angle in radians."""
-    import math
-
-    cosine, sine = math.cos(angle), math.sin(angle)
-    return Placement(cosine * u - sine * v, sine * u + cosine * v, width, height, math.degrees(angle), label)

@@ -107,9 +107,8 @@ class Pooled:
     @cached_property
     def _describer(self) -> Describer:
         wider = float(np.sqrt(self.settings.tolerance))
-        deviations = {quantity: own * wider for quantity, own in DEVIATIONS.items()} | {
-            "length": self._length
-        }
+        deviations = {quantity: own * wider for quantity, own in DEVIATIONS.items()}
+        deviations["length"] = self._length
         reach = self.settings.reach * self._size
         return Describer(self.relationships, deviations, reach, FARTHEST * reach)
 
@@ -225,7 +224,8 @@ class Pooled:
 
 def maxima(points: Array, values: Array, radius: float, floor: float) -> Indices:
     """Return the points of greatest value, none within a radius of a greater one, the greatest first."""
-    left, found = values.copy(), []
+    left = values.copy()
+    found: list[int] = []
     while len(found) < MAXIMA:
         top = int(left.argmax())
         if not left[top] > max(0.0, floor * values.max()):

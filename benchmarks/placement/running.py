@@ -7,7 +7,7 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 from benchmarks.placement.data import Half, operation_of, scenes, stages_of
@@ -99,7 +99,7 @@ def done(plan: Plan, task: Task) -> list[Result]:
         return list(found)
 
 
-@lru_cache(maxsize=None)
+@cache
 def _splits(plan: Plan, name: str) -> list[Split]:
     operation = operation_of(name)
     tests = plan.tests[0] if operation.domain == "facades" else plan.tests[1]
@@ -117,7 +117,7 @@ class Progress:
         self.done += 1
         if sys.stderr.isatty():
             left = (time.monotonic() - self.start) / self.done * (self.count - self.done)
-            told = f"{self.done} of {self.count}, about {left / 60:.1f} min left: {task.operation}, {task.method}"
-            print(
-                f"\r{told:<78.78}", end="\n" if self.done == self.count else "", file=sys.stderr, flush=True
-            )
+            at = f"{task.operation}, {task.method}"
+            told = f"{self.done} of {self.count}, about {left / 60:.1f} min left: {at}"
+            end = "\n" if self.done == self.count else ""
+            print(f"\r{told:<78.78}", end=end, file=sys.stderr, flush=True)

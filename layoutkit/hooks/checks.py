@@ -61,6 +61,8 @@ def stage_fault(item: object) -> str:
         return f"{item!r} is no instance of Stage"
     if fault := _name_fault(item, "name"):
         return fault
+    if not isinstance(getattr(item, "takes", None), type):
+        return f"{type(item).__name__}.takes is no class"
     options = getattr(item, "options", None)
     if not (isinstance(options, type) and dataclasses.is_dataclass(options)):
         return f"{type(item).__name__}.options is no dataclass"

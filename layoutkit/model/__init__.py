@@ -9,7 +9,7 @@ from layoutkit.model.facade import Facade, Picture
 from layoutkit.model.face import Face
 from layoutkit.model.grid import Grid
 from layoutkit.model.layout import Layout, Violation
-from layoutkit.model.learning import Example, LearningSettings, PlacementModel
+from layoutkit.model.learning import Example, LearningSettings, PlacementModel, Spacing
 from layoutkit.model.mass import Block, Footprint, Mass, Part
 from layoutkit.model.measure import Measure
 from layoutkit.model.piece import Piece
@@ -58,6 +58,7 @@ __all__ = [
     "Resize",
     "Scene",
     "Session",
+    "Spacing",
     "Split",
     "Step",
     "Violation",

@@ -43,7 +43,7 @@ class LearningSettings:
         0.1, "The regression's lambda, as a share of the mean similarity of the examples to themselves."
     )
     reach: float = _setting(
-        1.0,
+        0.5,
         "Standard deviation of what distances count, in diagonals of the placed shape: elements that are "
         "farther away count less; 0: all count alike.",
     )
@@ -65,6 +65,24 @@ class LearningSettings:
     relationships: tuple[str, ...] = _setting(
         (), "Names of the relationship functions that count; none named: those of the paper."
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Spacing:
+    """How shapes of one size fill placements, instead of one that is stretched (supplement, section 1).
+
+    Attributes
+    ----------
+    width, height
+        The size of one shape in document units; None: along this dimension it is stretched.
+    across, up
+        The least gap between two of them along the width and the height.
+    """
+
+    width: float | None = None
+    height: float | None = None
+    across: float = 0.0
+    up: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -128,7 +128,10 @@ class View:
             return np.broadcast_to(np.arange(len(first)), squares.shape)
         found = np.empty((len(self.points), len(first)), np.intp)
         for column, (begin, after) in enumerate(pairwise([*first.tolist(), squares.shape[1]])):
-            found[:, column] = begin + np.argmin(squares[:, begin:after], axis=1)
+            own = squares[:, begin:after]
+            # Else rounding would choose among edges that are equally near, such as both at a corner.
+            near = own <= own.min(axis=1, keepdims=True) * (1 + 1e-9)
+            found[:, column] = begin + np.argmax(near, axis=1)
         return found
 
     def _arc(self, edges: Indices, first: Indices) -> Array:

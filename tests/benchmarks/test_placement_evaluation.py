@@ -18,12 +18,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from benchmarks.placement import summary
+from benchmarks.placement.comparisons import Closest, Gaussian, Histograms, best_assignments
+from benchmarks.placement.descriptions import Kind, Tuples
 from benchmarks.placement.facades import WINDOW
 from benchmarks.placement.matching import Judged, at_threshold, best, judged, overlaps
-from benchmarks.placement.operations import OPERATIONS, Operation, Stage, box, stage, stages
+from benchmarks.placement.methods import METHODS
+from benchmarks.placement.operations import OPERATIONS, Operation, stage, stages
 from benchmarks.placement.protocol import EXAMPLES, Result, results, splits
 from layoutkit.model.learning import Example, LearningSettings
 from layoutkit.model.scene import Placement, Polygon, Scene
+from layoutkit_placement.learning import placement_of
 
 ROOT = Path(__file__).parents[2]
 DATA = ROOT.parent / "shared" / "data"
@@ -188,17 +192,6 @@ def test_operations_never_show_what_is_to_be_placed() -> None:
         assert len(set(each.present)) == len(each.present)
 
 
-@given(st.floats(-180, 180), st.floats(0.1, 5), st.floats(0.1, 5))
-@settings(deadline=None)
-def test_the_box_of_a_placed_shape_is_the_shape(angle: float, width: float, height: float) -> None:
-    placed = Placement(3, -2, width, height, angle, "Bed")
-    found = box(placed.polygon("Bed_1"), "Bed")
-    assert found.width == pytest.approx(width)
-    assert found.height == pytest.approx(height)
-    assert (found.x, found.y) == pytest.approx((3, -2))
-    assert math.remainder(found.angle - angle, 360) == pytest.approx(0, abs=1e-9)
-
-
 def result(operation: str, method: str, split: int, examples: int, right: Sequence[bool]) -> Result:
     scores = np.linspace(1, 0.5, len(right))
     found = Judged(scores, np.array(right, bool), 2)
@@ -239,9 +232,14 @@ def test_facades_are_upright_and_of_one_scale() -> None:
     found = scenes("facades", DATA)
     assert [scene.name for scene in found] == sorted(scene.name for scene in found)
     for scene in found:
-        boxes = [box(p, "") for p in scene.polygons if p.labels == ("Window",)]
+        boxes = [placement_of(p, "") for p in scene.polygons if p.labels == ("Window",)]
         assert np.median([(b.width * b.height) ** 0.5 for b in boxes]) == pytest.approx(WINDOW)
-    doors = [box(p, "").y / scene.bounds[3] for scene in found for p in scene.polygons if "Door" in p.labels]
+    doors = [
+        placement_of(p, "").y / scene.bounds[3]
+        for scene in found
+        for p in scene.polygons
+        if "Door" in p.labels
+    ]
     assert np.median(doors) < 0.2  # they are below: y runs up
 
 
@@ -269,3 +267,98 @@ def test_halves_share_no_scene() -> None:
     names = [{own.scene.name for own in stages_of("sills", DATA, half)} for half in ("tuning", "report")]
     assert names[0].isdisjoint(names[1])
     assert len(stages_of("sills", DATA, "all")) == len(names[0]) + len(names[1]) == 44
+
+
+@needs_data
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_every_method_runs_and_all_figures_are_written(tmp_path: Path, jobs: int) -> None:
+    command = ["--operations", "doors,side tables", "--smoke", "--jobs", str(jobs)]
+    ran = subprocess.run(
+        [sys.executable, "-m", "benchmarks.placement", *command, "--results", str(tmp_path / "figures")],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    figures = json.loads((tmp_path / "figures.json").read_text(encoding="utf-8"))
+    assert {own["method"] for own in figures} == set(METHODS)
+    assert {own["examples"] for own in figures if own["method"] != "propagation"} == {1, 2}
+    assert all(0 <= own["f1"] <= 1 for own in figures)
+    assert (tmp_path / "figures.txt").read_text(encoding="utf-8") == ran.stdout
+    assert "side tables" in ran.stdout
+    assert not ran.stderr
+
+
+@pytest.mark.parametrize(
+    ("option", "told"),
+    [
+        ("--operations=castles", "no operation is called 'castles'"),
+        ("--methods=luck", "no method is called"),
+        ("--examples=few", "takes numbers"),
+        ("--data=nowhere", "nowhere is not a folder"),
+    ],
+)
+def test_what_is_not_known_is_refused(option: str, told: str, capsys: pytest.CaptureFixture[str]) -> None:
+    from benchmarks.placement.__main__ import main
+
+    with pytest.raises(SystemExit) as stopped:
+        main([option, *([] if "data" in option else [f"--data={ROOT}"])])
+    assert stopped.value.code == 2
+    assert told in capsys.readouterr().err
+
+
+def described(*features: tuple[float, float]) -> dict[Kind, Tuples]:
+    """Return windows' corners of one value each, and how much they count."""
+    values, importance = np.array(features).T
+    return {("corner", ("Window",)): Tuples(values[None, None, :, None], importance[None, None])}
+
+
+KINDS = ((("corner", ("Window",)), 1),)
+
+
+def test_the_closest_are_compared_in_their_order_and_only_as_many() -> None:
+    closest = Closest(2)
+    rows = [(0.0, 1.0), (5.0, 0.5)], [(0.0, 1.0), (5.0, 0.5), (9.0, 0.1)], [(5.0, 1.0), (0.0, 0.5)]
+    one, more, swapped = (closest.prepare(described(*own), KINDS, 1, 1) for own in rows)
+    assert closest.alike(one, one)[0] == closest.alike(one, more)[0] == pytest.approx(1.25)
+    assert closest.alike(one, swapped)[0] < 0.01
+
+
+def test_histograms_do_not_hang_on_the_order() -> None:
+    histograms = Histograms()
+    rows = [(0.0, 1.0), (5.0, 1.0)], [(5.0, 1.0), (0.0, 1.0)], [(50.0, 1.0), (-9.0, 1.0)]
+    one, swapped, other = (histograms.prepare(described(*own), KINDS, 1, 1) for own in rows)
+    assert histograms.alike(one, one)[0] == histograms.alike(one, swapped)[0] == pytest.approx(2)
+    assert histograms.alike(one, other)[0] == 0
+
+
+def test_a_gaussian_is_1_for_the_same_and_falls_with_all_features() -> None:
+    gaussian = Gaussian(missing=5.0)
+    rows = [(0.0, 1.0), (2.0, 1.0)], [(2.0, 1.0), (0.0, 1.0)], [(0.0, 1.0), (3.0, 1.0)], [(0.0, 1.0)]
+    one, *others = (gaussian.prepare(described(*own), KINDS, 1, 1) for own in rows)
+    same, near, missing = (gaussian.alike(one, other)[0] for other in others)
+    assert same == pytest.approx(1.0)
+    assert near == pytest.approx(math.exp(-0.5 * 1 / 2))
+    assert missing == pytest.approx(math.exp(-0.5 * 25 / 2))
+
+
+def test_an_assignment_is_the_best_of_all() -> None:
+    rng = np.random.default_rng(5)
+    for shape in ((20, 2, 4), (20, 4, 2), (20, 3, 3)):
+        matrices = rng.integers(0, 5, shape).astype(float)
+        tried = [
+            max(
+                sum(own[row, column] for row, column in zip(rows, columns, strict=True))
+                for rows in itertools.permutations(range(shape[1]), min(shape[1:]))
+                for columns in itertools.combinations(range(shape[2]), min(shape[1:]))
+            )
+            for own in matrices
+        ]
+        assert best_assignments(matrices) == pytest.approx(tried)
+
+
+@pytest.mark.parametrize("name", ["learned", "closest", "histogram", "gaussian", "propagation"])
+def test_every_method_finds_sills_of_a_like_facade(name: str) -> None:
+    own = FRONTS[0]
+    fitted = METHODS[name].fit([own.example(0)], SILLS.settings)
+    assert best(judged(fitted.propose(own.scene), own.truths)).recall >= 0.5

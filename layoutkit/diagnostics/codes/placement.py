@@ -1,4 +1,4 @@
-"""Placement by example: shapes that go nowhere, and why (LK862 to LK869)."""
+"""Placement by example: shapes that go nowhere, and why (LK864 to LK875)."""
 
 from __future__ import annotations
 
@@ -6,6 +6,15 @@ from layoutkit.diagnostics.codes.code import Code
 from layoutkit.diagnostics.diagnostic import Severity
 
 CODES = (
+    Code(
+        "LK864",
+        "shape that goes nowhere",
+        "No place that was found is like the shape's own to the degree that is asked for; or shapes would "
+        "overlap there what the shape does not overlap, or other shapes.",
+        "Surroundings that have little in common, or rooms that are full.",
+        "Lower the threshold, or allow overlaps, as the hint says.",
+        severity=Severity.NOTE,
+    ),
     Code(
         "LK865",
         "propagation that makes no sense",
@@ -44,6 +53,44 @@ CODES = (
         "Local coordinates are those of the polygon that shapes stand in, and they stand in none.",
         "A scene without rooms, or a shape outside of all.",
         "Propagate it by relationships.",
+        severity=Severity.WARNING,
+    ),
+    Code(
+        "LK871",
+        "no examples",
+        "There is nothing to learn from, or it is not clear what.",
+        "A misspelt label; scenes whose placements have several labels, or none.",
+        "Do as the hint says.",
+    ),
+    Code(
+        "LK872",
+        "setting of learning that makes no sense",
+        "A number is out of its range, or a relationship function is not known or needs a direction.",
+        "A misspelt name; a tolerance of 0.",
+        "Do as the hint says.",
+    ),
+    Code(
+        "LK873",
+        "example beside nothing",
+        "Nothing stands near enough to an example to be related to it, so nothing is learned from it.",
+        "A shape far outside of everything.",
+        "Show shapes that stand in a polygon, or beside one.",
+        severity=Severity.WARNING,
+    ),
+    Code(
+        "LK874",
+        "examples in other units",
+        "The examples and the scene are in different units; sizes are taken as they stand.",
+        "Examples from a photo in pixels, a scene in metres.",
+        "Scale one of them, if sizes are to agree.",
+        severity=Severity.WARNING,
+    ),
+    Code(
+        "LK875",
+        "nothing placed",
+        "No place in the scene is enough like those of the examples.",
+        "Labels that are called otherwise; a threshold that is too high.",
+        "Do as the hint says.",
         severity=Severity.WARNING,
     ),
 )

@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from layoutkit.model.scene import Placement, Polygon, Scene
-from layoutkit.scenes.features import Features, Indices, Labels
+from layoutkit.scenes.features import Features, Labels
 from layoutkit.scenes.hierarchy import Hierarchy
 from layoutkit.scenes.soundness import examined
 
@@ -102,11 +102,11 @@ class Areas:
         return Hierarchy(self.scene.polygons, INSIDE)
 
     @cached_property
-    def _children(self) -> dict[int, Indices]:
-        parents = self._hierarchy.parents
-        order = np.argsort(parents, kind="stable")
-        found, first = np.unique(parents[order], return_index=True)
-        return dict(zip(found.tolist(), np.split(order, first[1:]), strict=True))
+    def _children(self) -> dict[int, list[int]]:
+        found: dict[int, list[int]] = {}
+        for child, parent in enumerate(self._hierarchy.parents.tolist()):
+            found.setdefault(parent, []).append(child)
+        return found
 
     @cached_property
     def _made(self) -> dict[int, Area]:

@@ -20,10 +20,10 @@ Vocabulary = Mapping[Labels, int]
 
 #: Standard deviations at tolerance 1: of lengths as a share of the examples' mean diagonal, of shares, and of
 #: angles in radians. The paper leaves them open; found by cross-validation (see docs/explanation.md).
-DEVIATIONS: Mapping[Quantity, float] = {"length": 0.1, "share": 0.1, "angle": 0.2}
+DEVIATIONS: Mapping[Quantity, float] = {"length": 0.1, "share": 0.2, "angle": 0.2}
 
 #: From so many standard deviations on, what is far away does not count at all.
-FARTHEST = 2.5
+FARTHEST = 2.0
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ Guerrero et al. 2015, section 3.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -21,7 +22,7 @@ from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import FeatureSets, Terms, Vocabulary, describe, vocabulary
 from layoutkit_placement.learning.heat import PointModel
 from layoutkit_placement.learning.kernel import gram, stacked
-from layoutkit_placement.learning.rating import ShapeModel, apart, crossed, crossed_labels
+from layoutkit_placement.learning.rating import OVERLAP, ShapeModel, apart, crossed, crossed_labels, inside
 from layoutkit_placement.learning.regression import weights
 from layoutkit_placement.learning.samples import SAMPLES, boxes_of, diagonals, sample_points
 from layoutkit_placement.learning.search import candidates
@@ -146,12 +147,6 @@ class Fitted:
         return frozenset(area.labels for area in self.areas)
 
     @property
-    def sizes(self) -> tuple[float, float]:
-        """Mean width and height of the examples."""
-        width, height = self.boxes[:, 2:4].mean(axis=0).tolist()
-        return width, height
-
-    @property
     def informed(self) -> tuple[bool, ...]:
         """Of which examples something is learned: of those that something stands about."""
         return tuple(any(len(group.codes) for group in sets.values()) for sets in self._sets)
@@ -190,14 +185,23 @@ class Fitted:
         return self.shape_model.values(boxes, area) * self.deformation.factors(boxes)
 
     def _in(self, area: Area) -> list[Placement]:
-        """Return all candidates in an area with their scores."""
+        """Return candidates in an area with their scores, less those that stick out of it too far."""
         angles = self._angles(area) if self.settings.aligned else None
         boxes = candidates(area, angles, self.terms, self.point_models, self.deformation)
-        rows = zip(boxes.tolist(), self._scores(boxes, area).tolist(), strict=True)
-        return [
-            Placement(x, y, width, height, float(np.degrees(angle)), self.label, score)
-            for (x, y, width, height, angle), score in rows
-        ]
+        found = [self._placement(box, None) for box in boxes.tolist()]
+        boxes = boxes[inside(found, area) >= self._least_inside - OVERLAP]
+        scores = self._scores(boxes, area).tolist()
+        return [self._placement(box, score) for box, score in zip(boxes.tolist(), scores, strict=True)]
+
+    def _placement(self, box: list[float], score: float | None) -> Placement:
+        x, y, width, height, angle = box
+        return Placement(x, y, width, height, math.degrees(angle), self.label, score)
+
+    @cached_property
+    def _least_inside(self) -> float:
+        """How much of an example lies at least in the polygon that it stands in."""
+        pairs = zip(self.examples, self.areas, strict=True)
+        return min(float(inside([example.placement], area)[0]) for example, area in pairs)
 
     def _angles(self, area: Area) -> tuple[float, ...]:
         """Return the orientations of shapes in an area: as the examples' are, relative to theirs."""

@@ -19,7 +19,7 @@ from layoutkit_placement.learning.samples import Boxes, sample_points
 #: So many boxes are described at once: those next to each other see the same features.
 _TOGETHER = 8
 #: Two shapes overlap from this share of the smaller one's area on: what is measured off a photo touches.
-OVERLAP = 0.05
+OVERLAP = 0.15
 
 
 @dataclass(frozen=True)
@@ -54,6 +54,17 @@ class ShapeModel:
             queries = describe(points[some], features, self.terms, self.words)
             found[some] = kernel(self.examples, len(self.weights), queries, len(some)) @ self.weights
         return found
+
+
+def inside(placements: Sequence[Placement], area: Area) -> Array:
+    """Return which share of each placement lies in the polygon of an area; 1 where there is none."""
+    import shapely
+
+    if not area.parent or not placements:
+        return np.ones(len(placements))
+    own = shapes(placements)
+    shared: Array = shapely.area(shapely.intersection(own, shapes(area.polygons[:1])[0])) / shapely.area(own)
+    return shared
 
 
 def apart(placements: Sequence[Placement]) -> list[int]:

@@ -14,8 +14,11 @@ from layoutkit_placement.learning.descriptors import FeatureSets, Terms, distanc
 from layoutkit_placement.learning.heat import PointModel
 from layoutkit_placement.learning.kernel import Stack, assignments, similarities
 
-#: Points of the fine grid on each side, over one step of the coarse one in each direction.
-FINE = 7
+#: Ever finer grids about the best point so far: how far each reaches, in steps of the coarse one, and what
+#: deviations are divided by. Sharper Gaussians come nearer to what they stand for: how many values agree.
+LEVELS = ((0.6, 1.0), (0.2, 2.5))
+#: Points on each side of such a grid.
+FINE = 5
 
 
 def refined(
@@ -34,20 +37,25 @@ def refined(
     step
         How far the points of the grid are apart.
     """
-    offsets = np.linspace(-step, step, FINE)
-    points = point + np.stack(np.meshgrid(offsets, offsets), axis=-1).reshape(-1, 2)
     pairs = {of: _pairs(model, of, sets) for of in model.examples if of in sets}
     used = [features.polygon_of(of)[sets[of].members[columns]] for of, (_, columns) in pairs.items()]
     polygons = np.unique(np.concatenate([np.zeros(0, np.intp), *used]))
     if not len(polygons):
         return point
-    view = View(points, features.take(polygons))
-    total = np.zeros(len(points))
-    for of, (rows, columns) in pairs.items():
-        members = _renumbered(features, of, polygons, sets[of].members[columns])
-        total += _values(view, of, terms, model, rows, members)
-    best: Array = points[int(total.argmax())]
-    return best
+    some = features.take(polygons)
+    taken = {
+        of: (rows, _renumbered(features, of, polygons, sets[of].members[columns]))
+        for of, (rows, columns) in pairs.items()
+    }
+    for reach, sharpness in LEVELS:
+        offsets = np.linspace(-reach * step, reach * step, FINE)
+        points = point + np.stack(np.meshgrid(offsets, offsets), axis=-1).reshape(-1, 2)
+        view = View(points, some)
+        total = np.zeros(len(points))
+        for of, (rows, members) in taken.items():
+            total += _values(view, of, terms, model, rows, members, sharpness)
+        point = points[int(total.argmax())]
+    return point
 
 
 def _pairs(model: PointModel, of: FeatureType, sets: FeatureSets) -> tuple[Indices, Indices]:
@@ -67,11 +75,17 @@ def _renumbered(features: Features, of: FeatureType, polygons: Indices, members:
 
 
 def _values(
-    view: View, of: FeatureType, terms: Terms, model: PointModel, rows: Indices, members: Indices
+    view: View,
+    of: FeatureType,
+    terms: Terms,
+    model: PointModel,
+    rows: Indices,
+    members: Indices,
+    sharpness: float,
 ) -> Array:
     stack = model.examples[of]
     queried = tuples(view, terms.relationships[of], terms.deviations[of])[:, members]
-    alike = np.exp(-0.5 * (queried - stack.values[0, rows]) ** 2).sum(axis=2)
+    alike = np.exp(-0.5 * (sharpness * (queried - stack.values[0, rows])) ** 2).sum(axis=2)
     importance = terms.importance(distances(view, of))[:, members]
     weight = stack.importance[0, rows] * _weights(stack, model.weights)[rows]
     found: Array = (alike * importance) @ weight

@@ -16,8 +16,9 @@ from layoutkit.scenes.features import Array, FeatureType, Indices
 from layoutkit_placement.learning.descriptors import Group
 from layoutkit_placement.learning.kernel import Stack, Stacks
 
-#: Widths of a table's cells, in standard deviations.
-CELL = 0.4
+#: Widths of a table's cells, in standard deviations; wider where there would be more than so many of them, as
+#: where corners are so sharp that ratios of their angles are beyond all bounds.
+CELL, MOST = 0.4, 256
 #: A value that is farther than this from all of an example's adds next to nothing, which the outermost cells
 #: allow for.
 BEYOND = 3.5
@@ -33,8 +34,8 @@ class Pairing:
         Which values of the tuple.
     least
         The least value of each that has a cell of its own, shape (codes, values).
-    sizes
-        How many cells there are for each, shape (codes, values).
+    widths, sizes
+        How wide cells are, and how many there are for each, shape (codes, values).
     first
         Where the cells of each code begin, shape (codes,).
     cells
@@ -43,6 +44,7 @@ class Pairing:
 
     values: tuple[int, ...]
     least: Array
+    widths: Array
     sizes: Indices
     first: Indices
     cells: Array
@@ -52,7 +54,7 @@ class Pairing:
         place = np.zeros(group.importance[:, 0].shape)
         for axis, value in enumerate(self.values):
             at = group.values[:, 0, :, value] - self.least[group.codes, axis]
-            at *= 1 / CELL
+            at /= self.widths[group.codes, axis]
             np.clip(at, 0, self.sizes[group.codes, axis] - 1, out=at)
             np.floor(at, out=at)
             place *= self.sizes[group.codes, axis]
@@ -94,30 +96,42 @@ def _pairings(stack: Stack, weights: Array, codes: int) -> Iterator[Pairing]:
     for begin in range(0, count, 2):
         values = tuple(range(begin, min(begin + 2, count)))
         least, sizes = np.zeros((codes, len(values))), np.ones((codes, len(values)), np.intp)
+        widths = np.ones((codes, len(values)))
         found = [np.zeros(1)] * codes
         for code in np.unique(stack.codes):
             some = np.flatnonzero(stack.codes == code)
             every = stack.values[0, some][:, values]
             least[code] = every.min(axis=0) - BEYOND
-            sizes[code] = np.ceil((every.max(axis=0) + BEYOND - least[code]) / CELL)
-            found[code] = _cells(stack, weights, values, some, least[code], sizes[code])
+            span = every.max(axis=0) + BEYOND - least[code]
+            widths[code] = np.maximum(CELL, span / MOST)
+            sizes[code] = np.ceil(span / widths[code] - 1e-9)
+            curves = [
+                _within(every[:, axis], low, width, size)
+                for axis, (low, width, size) in enumerate(
+                    zip(least[code], widths[code], sizes[code].tolist(), strict=True)
+                )
+            ]
+            found[code] = _cells(stack, weights, some, curves, sizes[code])
         first = np.cumsum([0, *(len(cells) for cells in found[:-1])])
-        yield Pairing(values, least, sizes, first, np.concatenate(found))
+        yield Pairing(values, least, widths, sizes, first, np.concatenate(found))
 
 
-def _cells(
-    stack: Stack, weights: Array, values: tuple[int, ...], some: Indices, least: Array, sizes: Indices
-) -> Array:
-    """Return the cells of one code of labels, whose features are `some`."""
+def _cells(stack: Stack, weights: Array, some: Indices, curves: list[Array], sizes: Indices) -> Array:
+    """Return the cells of one code of labels.
+
+    Parameters
+    ----------
+    some
+        The features of these labels, of all examples.
+    curves
+        For each value the Gaussians of these features, shape (features, cells).
+    """
     total = np.zeros(sizes)
     for example in np.flatnonzero(weights > 0):
-        rows = some[(some >= stack.first[example]) & (some < stack.first[example + 1])]
-        if len(rows):
-            curves = [
-                stack.importance[0, rows, None] * _within(stack.values[0, rows, value], low, size)
-                for value, low, size in zip(values, least, sizes.tolist(), strict=True)
-            ]
-            total += weights[example] * _greatest(curves)
+        own = np.flatnonzero((some >= stack.first[example]) & (some < stack.first[example + 1]))
+        if len(own):
+            importance = stack.importance[0, some[own], None]
+            total += weights[example] * _greatest([importance * curve[own] for curve in curves])
     return total.ravel()
 
 
@@ -132,9 +146,9 @@ def _greatest(curves: list[Array]) -> Array:
     return found
 
 
-def _within(centres: Array, least: float, count: int) -> Array:
+def _within(centres: Array, least: float, width: float, count: int) -> Array:
     """Return the greatest value of each Gaussian in each cell, shape (Gaussians, cells)."""
-    edges = least + CELL * np.arange(count + 1)
+    edges = least + width * np.arange(count + 1)
     low, high = edges[:-1].copy(), edges[1:].copy()
     low[0], high[-1] = -np.inf, np.inf  # what is beyond is looked up there
     nearest = np.clip(centres[:, None], low, high) - centres[:, None]

@@ -117,7 +117,7 @@ def contributions_at(matching: Matching, points: Array) -> list[Mapping[str, flo
 
 @dataclass(frozen=True, slots=True)
 class Strongest:
-    """The strongest level sets about points, as lines.
+    """The strongest level sets about points, as lines: for each local feature and function the best match.
 
     Attributes
     ----------
@@ -125,27 +125,33 @@ class Strongest:
         How far the point is from each, with a sign, shape (points, sets).
     normals
         The change of that with the point, shape (points, sets, 2).
+    weights
+        Their importance, shape (points, sets).
     """
 
     misses: Array
     normals: Array
+    weights: Array
 
 
 def strongest_at(matching: Matching, points: Array, count: int) -> Strongest:
-    """Return the strongest level sets about points: the best match of each local feature and function."""
+    """Return so many of the strongest level sets about points, those in twice the kernel's reach included."""
     step = 1e-6 * matching.radius
     moves = np.array([[0.0, 0.0], [step, 0.0], [0.0, step]])
     seen = Seen(matching, (points + moves[:, None]).reshape(-1, 2))
-    weights, misses = [np.zeros((len(points), 0))], [np.zeros((3, len(points), 0))]
+    weights, misses, full = [np.zeros((len(points), 0))], [np.zeros((3, len(points), 0))], [np.zeros(0)]
     for sets in matching.level_sets:
         own = seen.misses(sets).reshape(3, len(points), -1)
-        weights.append(_weights(sets, near(own[0], matching.radius) * sets.accuracy))
+        weights.append(_weights(sets, near(own[0], 2 * matching.radius) * sets.accuracy))
         misses.append(own)
-    order = _first(np.concatenate(weights, axis=1), count)
+        full.append(sets.accuracy * sets.importance[sets.rows])
+    found = np.concatenate(weights, axis=1)
+    order = _first(found, count)
     chosen = np.take_along_axis(np.concatenate(misses, axis=2), order[None], 2)
-    chosen = np.where(np.isfinite(chosen), chosen, 0.0)
+    counted = np.isfinite(chosen).all(axis=0) & (np.take_along_axis(found, order, 1) > 0)
+    chosen = np.where(counted, chosen, 0.0)
     normals = np.stack([chosen[1] - chosen[0], chosen[2] - chosen[0]], axis=-1) / step
-    return Strongest(chosen[0], normals)
+    return Strongest(chosen[0], normals, np.where(counted, np.concatenate(full)[order], 0.0))
 
 
 def strongest_headings(matching: Matching, points: Array, count: int) -> Array:

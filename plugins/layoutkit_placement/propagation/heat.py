@@ -26,6 +26,11 @@ class Heat:
         part = values[patch.row :, patch.column :][: found.scores.shape[0], : found.scores.shape[1]]
         np.fmax(part, found.scores[: part.shape[0], : part.shape[1]], out=part)
 
+    def greatest(self, name: str) -> float:
+        """Return the greatest value of a map; 0 where there is none."""
+        _, values = self._maps.get(name, (None, np.zeros(0)))
+        return float(np.nan_to_num(values).max(initial=0.0))
+
     def maps(self) -> tuple[HeatMap, ...]:
         """Return the maps, in the order in which they were begun."""
         return tuple(

@@ -11,8 +11,8 @@ from layoutkit.scenes.features import Array, Features, FeatureType
 from layoutkit.scenes.shapes import Shapes
 from layoutkit.scenes.view import View
 
-#: The radii that importance falls off over are so much longer than those of the circles: the middle of a room is
-#: related to its walls, however little, and inscribed circles are found to a thousandth only.
+#: The radii that importance falls off over are so much longer than those of the circles: the middle of a room
+#: is related to its walls, however little, and inscribed circles are found to a thousandth only.
 _LONGER = 1.01
 #: A segment whose edges turn by less than this in all (radians) is straight.
 _STRAIGHT = 1e-3

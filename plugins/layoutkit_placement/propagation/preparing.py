@@ -100,6 +100,7 @@ class Prepared:
             self._overlaps[shape] | {(label, False) for label in self._scopes.around(area)},
             None if task.settings.overlapping else occupied,
             task.settings.density * query.diagonal,
+            ((query.placement.x, query.placement.y),) if self._within else (),
         )
 
     @cached_property
@@ -107,6 +108,7 @@ class Prepared:
         """Where shapes of the labels stand in the target."""
         labels = dict.fromkeys(shape.label for shape in self.task.shapes)
         standing = [placed for label in labels for placed in shapes_of(self.task.target, label)]
+        standing += self.task.shapes if self._within else ()
         return Occupied(max(query.diagonal for query in self.queries), standing)
 
     @cached_property
@@ -118,6 +120,11 @@ class Prepared:
         room = max((query.outside for query, area in every if not area.parent), default=0.0)
         extent = float(x0 - room), float(y0 - room), float(x1 + room), float(y1 + room)
         return Lattice.over(extent, self.task.settings.points)
+
+    @cached_property
+    def _within(self) -> bool:
+        """Whether shapes are propagated within one scene, where they stand already."""
+        return self.task.source == self.task.target
 
     def _areas(self, scene: Scene) -> Mapping[str, Areas]:
         """Return a scene's areas by the label that is propagated, without what has it."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -53,7 +54,7 @@ class _Placed:
 
 def propagate(task: Task) -> Propagated:
     """Return where shapes go, and what speaks for it."""
-    run = _Run(Prepared(task), Heat(), [])
+    run = _Run(Prepared(task), Heat(), [], Counter())
     placed = list(run.placed())
     evidence = Evidence(run.heat.maps(), tuple(_contributions(placed)))
     placements = tuple(each.placement for each in placed)
@@ -62,11 +63,12 @@ def propagate(task: Task) -> Propagated:
 
 @dataclass(frozen=True)
 class _Run:
-    """A propagation as it goes on: heat maps and remarks are added to."""
+    """A propagation as it goes on: heat maps, remarks, and how many poses of each shape are found."""
 
     prepared: Prepared
     heat: Heat
     remarks: list[Diagnostic]
+    found: Counter[int]
 
     def placed(self) -> Iterator[_Placed]:
         """Yield all shapes that are placed."""
@@ -77,9 +79,23 @@ class _Run:
             yield from self._arrays()
         else:
             for shape in range(len(self.prepared.queries)):
-                limit = Limit(settings.matches)
-                for area in self._areas(shape):
-                    yield from self._in_area(shape, area, self.prepared.occupied, limit)
+                yield from self._propagated(shape)
+
+    def _propagated(self, shape: int) -> Iterator[_Placed]:
+        """Yield where a shape goes, and remark if that is nowhere."""
+        settings, areas = self.prepared.task.settings, self._areas(shape)
+        limit, count = Limit(settings.matches), 0
+        for area in areas:
+            for placed in self._in_area(shape, area, self.prepared.occupied, limit):
+                count += 1
+                yield placed
+        if areas and not count:
+            placement = self.prepared.queries[shape].placement
+            if self.found[shape]:
+                self.remarks.append(remarks.none_free(placement, self.found[shape]))
+            else:
+                best = max(self.heat.greatest(name) for name, _ in self._variants(shape))
+                self.remarks.append(remarks.none_good(placement, best, settings.threshold))
 
     def _areas(self, shape: int) -> Sequence[Area]:
         """Return where a shape may go, and remark where that is nowhere."""
@@ -112,6 +128,7 @@ class _Run:
         for name, query in self._variants(shape):
             found = candidates(query, area, lattice, task.settings, task.generator)
             self.heat.add(name, found)
+            self.found[shape] += len(found.placements)
             yield found
 
     def _variants(self, shape: int) -> Iterator[tuple[str, Query]]:

@@ -1,7 +1,8 @@
 """Maxima between the points of a grid: where the strongest level sets cross.
 
 About a maximum, importance is a sum of linear falls from level sets that are nearly straight. Its maximum is
-where two of them cross; so crossings are tried, and again from the best of them, until none is better.
+where two of them cross. So the most promising crossings are tried, and again from the best of them, until
+none is better.
 """
 
 from __future__ import annotations
@@ -16,15 +17,16 @@ from layoutkit_placement.propagation.dense import (
     Strongest,
     importance_at,
     importance_of_poses,
+    near,
     strongest_at,
     strongest_headings,
 )
 from layoutkit_placement.propagation.matching import Matching
 
-#: So many of the strongest level sets are crossed.
-_CROSSED = 6
+#: So many of the strongest level sets are crossed, and so many crossings are looked at closely.
+_CROSSED, _TRIED = 14, 4
 #: So many times at most.
-_ROUNDS = 5
+_ROUNDS = 6
 
 
 def refined(matching: Matching, points: Array) -> tuple[Array, Array]:
@@ -38,10 +40,10 @@ def refined_poses(
     """Return better poses near some poses, as points and angles in radians, and their importance."""
     values = importance_of_poses(matching, points, angles, tolerance)
     for _ in range(2):
-        headings = strongest_headings(matching, points, 2 * _CROSSED)
+        headings = strongest_headings(matching, points, _CROSSED)
         for column in range(headings.shape[1]):
-            near = np.abs(np.angle(np.exp(1j * (headings[:, column] - angles)))) < tolerance
-            turned = np.where(near, headings[:, column], angles)
+            close = np.abs(np.angle(np.exp(1j * (headings[:, column] - angles)))) < tolerance
+            turned = np.where(close, headings[:, column], angles)
             found = importance_of_poses(matching, points, turned, tolerance)
             better = found > values
             angles, values = np.where(better, turned, angles), np.where(better, found, values)
@@ -69,9 +71,7 @@ def _improved(
     for _ in range(_ROUNDS):
         if not len(moving):
             break
-        shifts = _crossings(strongest_at(matching, points[moving], _CROSSED))
-        far = ~(np.hypot(shifts[..., 0], shifts[..., 1]) <= matching.radius)
-        shifts[far] = 0
+        shifts = _ways(strongest_at(matching, points[moving], _CROSSED), matching.radius)
         tried = points[moving, None] + shifts
         found = rate(tried.reshape(-1, 2), np.repeat(moving, tried.shape[1])).reshape(tried.shape[:2])
         best, each = found.argmax(axis=1), np.arange(len(moving))
@@ -79,6 +79,16 @@ def _improved(
         moving, best, each = moving[better], best[better], each[better]
         points[moving], values[moving] = tried[each, best], found[each, best]
     return points, values
+
+
+def _ways(strongest: Strongest, radius: float) -> Array:
+    """Return the ways to the crossings that are best if level sets are straight, shape (points, ways, 2)."""
+    ways = _crossings(strongest)
+    ways[~(np.hypot(ways[..., 0], ways[..., 1]) <= radius)] = 0
+    misses = strongest.misses[:, None] + np.einsum("pwi,psi->pws", ways, strongest.normals)
+    height = np.einsum("pws,ps->pw", near(misses, radius), strongest.weights)
+    best = np.argsort(-height, axis=1, kind="stable")[:, :_TRIED]
+    return np.take_along_axis(ways, best[..., None], 1)
 
 
 def _crossings(strongest: Strongest) -> Array:

@@ -21,6 +21,36 @@ def nothing_near(placement: Placement) -> Diagnostic:
     )
 
 
+def none_good(placement: Placement, best: float, threshold: float) -> Diagnostic:
+    """Say that a shape goes nowhere, though there are areas for it, and how good the best place is."""
+    return _nowhere(
+        placement,
+        f"the best place keeps {best:.2g} of its relationships, and the threshold is {threshold:g}",
+        "lower the threshold to see it",
+    )
+
+
+def none_free(placement: Placement, found: int) -> Diagnostic:
+    """Say that a shape goes nowhere, as it would overlap something everywhere."""
+    where = "at the place that was found" if found == 1 else f"at all of {found} places that were found"
+    return _nowhere(
+        placement,
+        f"{where}, it would overlap what stands there, or stick out",
+        "let it overlap to see: crossing, overlapping",
+    )
+
+
+def _nowhere(placement: Placement, why: str, hint: str) -> Diagnostic:
+    return Diagnostic(
+        "LK864",
+        f"{_named(placement)} goes nowhere: {why}",
+        placement.place,
+        hint=hint,
+        severity=Severity.NOTE,
+        topic=_TOPIC,
+    )
+
+
 def no_such_area(labels: Labels, scene: str) -> Diagnostic:
     """Say that a scene has no polygon like the one that a shape stands in."""
     what = f"polygon labelled {' and '.join(labels)}" if labels else "polygon without labels"

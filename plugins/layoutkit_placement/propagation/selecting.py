@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
 
+from layoutkit.model.face import Point
 from layoutkit.model.scene import Placement
 from layoutkit_placement.propagation.validation import Occupied, Overlap, Standing, allowed
 
@@ -25,12 +26,15 @@ class Rules:
         Where shapes stand that they must not overlap; None: anywhere. What is taken is added.
     radius
         How far they are from each other, in document units.
+    places
+        Where there is one already.
     """
 
     standing: Standing | None
     example: frozenset[Overlap]
     occupied: Occupied | None
     radius: float
+    places: tuple[Point, ...] = ()
 
     def valid(self, placements: Sequence[Placement]) -> list[int]:
         """Return the numbers of placements that overlap no more than the example does."""
@@ -64,7 +68,7 @@ class Limit:
 
 def taken(placements: Sequence[Placement], rules: Rules, limit: Limit, scope: Hashable) -> Iterator[int]:
     """Yield the numbers of the placements to take, in their order."""
-    centres: list[tuple[float, float]] = []
+    centres = list(rules.places)
     for number in rules.valid(placements):
         if limit.reached(scope):
             return

@@ -9,10 +9,10 @@ from typing import ClassVar
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.hooks.specs import Outcome, Stage
-from layoutkit.model.learning import PlacementModel
-from layoutkit.model.scene import Scene
+from layoutkit.model.evidence import Evidence
+from layoutkit.model.learning import PlacementModel, Spacing
+from layoutkit.model.scene import Placement, Scene
 from layoutkit.scenes.relationship import Relationship
-from layoutkit_placement.learning.spacing import Spacing
 
 _TOPIC = "placement"
 
@@ -28,7 +28,7 @@ class PlaceOptions:
     limit
         How many placements are wanted at most; None: all.
     threshold
-        The least score.
+        The least score: an example has about 1.
     spacing
         How shapes that keep their size fill placements, instead of one that is stretched; None: not.
     evidence
@@ -39,7 +39,7 @@ class PlaceOptions:
 
     model: PlacementModel | None = None
     limit: int | None = None
-    threshold: float = 0.0
+    threshold: float = 0.5
     spacing: Spacing | None = None
     evidence: bool = False
     relationships: tuple[Relationship, ...] = ()
@@ -76,13 +76,26 @@ class Place(Stage):
             found = fitted.propose(scene, options.limit, options.threshold)
             speaking = evidence(fitted, scene, found) if options.evidence else None
         if options.spacing is not None:
-            found = tuple(one for whole in found for one in options.spacing.filled(whole, fitted.sizes))
+            found, speaking = _spaced(found, options.spacing, speaking)
         placed = replace(scene, placements=(*scene.placements, *found))
         remarks = [
             *examined(scene.polygons).left_out,
             *_remarks(options.model, scene, bool(found), fitted.parents),
         ]
         yield Outcome("found", placed, tuple(remarks), time.perf_counter() - start, evidence=speaking)
+
+
+def _spaced(
+    found: tuple[Placement, ...], spacing: Spacing, evidence: Evidence | None
+) -> tuple[tuple[Placement, ...], Evidence | None]:
+    """Return the shapes that fill placements, and what speaks for each: what speaks for its placement."""
+    from layoutkit_placement.learning.spacing import filled
+
+    inside = [tuple(filled(whole, spacing)) for whole in found]
+    if evidence is not None:
+        pairs = zip(evidence.contributions, inside, strict=True)
+        evidence = replace(evidence, contributions=tuple(own for own, some in pairs for _ in some))
+    return tuple(one for some in inside for one in some), evidence
 
 
 def _remarks(

@@ -81,7 +81,7 @@ def test_at_the_corner_itself() -> None:
     assert named("corner-distance").evaluate(view)[[0, 1], [0, 2], 0] == pytest.approx([0, 0])
     assert named("corner-ratio").evaluate(view)[[0, 1], [0, 2], 0] == pytest.approx([0.5, 0.5])
     assert named("corner-ratio").spread(view)[0, 0, 0] == 0
-    # the bisector of the lower left corner looks to the upper right, that of the upper right to the lower left
+    # the bisector of the lower left corner looks to the upper right, and the other way round
     assert named("corner-angle").evaluate(view)[0, 0, 0] == pytest.approx(-math.pi / 4)
     assert named("corner-angle").evaluate(view)[1, 2, 0] == pytest.approx(3 * math.pi / 4)
     # the boundary goes down into the first corner, and right out of it

@@ -53,7 +53,7 @@ def scene(rng: np.random.Generator, count: int = 8, size: float = 10.0) -> Scene
     return Scene("drawn", "m", (room, *things))
 
 
-def examples(rng: np.random.Generator, count: int) -> Sequence[Example]:
+def examples(rng: np.random.Generator, count: int, polygons: int = 8) -> Sequence[Example]:
     """Return placements anywhere in scenes of their own."""
     found = []
     for _ in range(count):

@@ -17,6 +17,8 @@ from layoutkit_placement.learning.samples import SAMPLES
 from layoutkit_placement.learning.search import FLOOR, RADIUS, grid_of
 
 SCENES = 100
+#: Similarities are computed in single precision.
+SINGLE = 1e-5
 
 
 def dense(heat: Heat, sample: int, radius: float, floor: float, most: int) -> tuple[list[int], list[float]]:
@@ -44,14 +46,15 @@ def test_maxima_are_those_of_the_dense_evaluation(seed: int) -> None:
     rng = np.random.default_rng(seed)
     reach = (0.5, 1.0, 0.0)[seed % 3]
     settings = LearningSettings(reach=reach, tolerance=4.0)
-    fitted = Learner(settings).fit(examples(rng, 1 + seed % 4))
-    [area] = Areas.of(scene(rng), True).of_labels(frozenset([("Room",)]))
+    count = 8 if reach else 4  # where all of a scene counts, assignments are large
+    fitted = Learner(settings).fit(examples(rng, 1 + seed % 4, count))
+    [area] = Areas.of(scene(rng, count), True).of_labels(frozenset([("Room",)]))
     heat = Heat(area, grid_of(area, fitted.terms), fitted.terms, fitted.point_models)
     radius = RADIUS * fitted.terms.length
     for sample in (seed % SAMPLES, SAMPLES - 1):
         indices, values = dense(heat, sample, radius, FLOOR, 30)
         found = fast(heat, sample, radius, FLOOR, 30)
-        assert found.values == pytest.approx(values)
+        assert found.values == pytest.approx(values, rel=SINGLE)
         assert found.indices.tolist() == indices
 
 
@@ -63,4 +66,4 @@ def test_no_value_exceeds_its_bound(seed: int) -> None:
     heat = Heat(area, grid_of(area, fitted.terms), fitted.terms, fitted.point_models)
     for sample in range(SAMPLES):
         exact = heat.exact(sample, np.arange(len(heat.points)))
-        assert (exact <= heat.bounds(sample) + 1e-9).all()
+        assert (exact <= heat.bounds(sample) * (1 + SINGLE)).all()

@@ -22,7 +22,7 @@ def around_tables(*polygons: Polygon, **own: object) -> tuple[Placement, ...]:
     source = scene([ROOM, TABLE])
     names = ("boundary-distance", "segment-distance", "segment-arc-length")
     return placed(
-        scene([ROOM, *polygons]),
+        scene([ROOM, *polygons], "copy"),
         [CHAIR],
         source,
         **{"relationships": names, "threshold": 0.4, "points": 8000, **own},
@@ -88,7 +88,7 @@ def test_alternative_geometry_and_clearances() -> None:
 
 def test_nothing_is_placed_upon_what_is_there_already() -> None:
     first = around_tables(TABLE)
-    busy = replace(scene([ROOM, TABLE]), placements=(first[0],))
+    busy = replace(scene([ROOM, TABLE], "copy"), placements=(first[0],))
     again = placed(
         busy,
         [CHAIR],

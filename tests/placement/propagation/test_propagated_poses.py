@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from propagation_drawn import STAND, furnished, moved, moved_placement, outcome, placed, scene
 
@@ -32,17 +32,21 @@ def close(found: Placement, expected: Placement, distance: float = 0.01 * STEP, 
     st.floats(-50, 50),
     st.floats(-50, 50),
     st.floats(0.6, 2.4),
-    st.floats(0.4, 3.4),
+    st.floats(0.4, 2.8),
     st.floats(-180, 180),
 )
 @pytest.mark.parametrize("space", ["positions", "poses"])
 def test_a_copy_of_a_room_has_the_shape_at_the_same_place(
     space: str, angle: float, x: float, y: float, at_x: float, at_y: float, heading: float
 ) -> None:
-    """Within a hundredth of a cell, wherever the copy is turned and moved to."""
+    """Within a hundredth of a cell, wherever the copy is turned and moved to.
+
+    Halfway between two walls it is rounding that says which is nearer, and so how the boundary runs.
+    """
+    assume(abs(at_x - at_y) > 0.01)
     shape = Placement(at_x, at_y, 0.3, 0.2, heading, "stand")
     source = scene(furnished())
-    target = scene([moved(polygon, angle, x, y) for polygon in source.polygons])
+    target = scene([moved(polygon, angle, x, y) for polygon in source.polygons], "copy")
     found = placed(target, [shape], source, space=space, directions=36)
     assert found, "there is one"
     assert close(found[0], moved_placement(shape, angle, x, y))
@@ -51,7 +55,7 @@ def test_a_copy_of_a_room_has_the_shape_at_the_same_place(
 
 @settings(max_examples=15)
 @given(
-    st.floats(-180, 180), st.floats(-50, 50), st.floats(0.6, 2.4), st.floats(0.4, 3.4), st.floats(-180, 180)
+    st.floats(-180, 180), st.floats(-50, 50), st.floats(0.6, 2.4), st.floats(0.4, 2.8), st.floats(-180, 180)
 )
 def test_a_mirrored_room_has_the_shape_mirrored(
     angle: float, x: float, at_x: float, at_y: float, heading: float
@@ -59,7 +63,7 @@ def test_a_mirrored_room_has_the_shape_mirrored(
     shape = Placement(at_x, at_y, 0.3, 0.2, heading, "stand")
     source = scene(furnished())
     mirrored = [mirrored_polygon(polygon) for polygon in source.polygons]
-    target = scene([moved(polygon, angle, x, 0) for polygon in mirrored])
+    target = scene([moved(polygon, angle, x, 0) for polygon in mirrored], "copy")
     found = placed(target, [shape], source, mirrored=True)
     assert close(found[0], moved_placement(mirrored_placement(shape), angle, x, 0))
     assert found[0].mirrored

@@ -14,6 +14,7 @@ from layoutkit.diagnostics.codes.examples import (
     files,
     grids,
     layouts,
+    placement,
     plugins,
     references,
     scenes,
@@ -40,6 +41,7 @@ _GROUPS = (
     usage,
     buildings,
     scenes,
+    placement,
 )
 
 #: Every example, by code.
