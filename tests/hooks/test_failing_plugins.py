@@ -9,6 +9,8 @@ from typing import Any
 import pytest
 from odd_kind import FACADE, KIND
 
+from layoutkit.model import Facade, Region
+
 
 @pytest.fixture
 def facade(tmp_path: Path) -> Path:
@@ -146,8 +148,9 @@ def test_a_stage_that_yields_something_else_is_named(install: Any, layoutkit: An
     from layoutkit.diagnostics.blame import Misbehaviour, diagnosed
 
     session = Session()
+    facade = Facade("plain", "m", Region("Plain", 1.0, 1.0))
     with pytest.raises(Misbehaviour, match="yields 5, and no Outcome") as raised:
-        next(session.run("odd", None))  # type: ignore[arg-type]
+        next(session.run("odd", facade))
     assert diagnosed(raised.value).message.startswith("the plugin 'odd_stage' of acme-plugin 1.2 failed")
 
 

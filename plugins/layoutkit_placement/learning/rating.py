@@ -18,8 +18,11 @@ from layoutkit_placement.learning.samples import Boxes, sample_points
 
 #: So many boxes are described at once: those next to each other see the same features.
 _TOGETHER = 8
-#: Two shapes overlap from this share of the smaller one's area on: what is measured off a photo touches.
+#: From this share of the smaller one's area on, a shape overlaps what stands there, and sticks out of what it
+#: stands in: what is measured off a photo does not keep to lines.
 OVERLAP = 0.15
+#: From this share on, two shapes that are placed overlap each other.
+APART = 0.02
 
 
 @dataclass(frozen=True)
@@ -83,7 +86,7 @@ def apart(placements: Sequence[Placement]) -> list[int]:
         kept.append(index)
         others = tree.query(own[index], predicate="intersects")
         shared = shapely.area(shapely.intersection(own[index], own[others]))
-        gone.update(others[shared > OVERLAP * np.minimum(areas[index], areas[others])].tolist())
+        gone.update(others[shared > APART * np.minimum(areas[index], areas[others])].tolist())
     return kept
 
 

@@ -1,4 +1,4 @@
-"""Examples of shapes that go nowhere (LK86)."""
+"""Examples of shapes that go nowhere (LK86, LK87)."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ _CHAIRS = (
     '  <placement x="1.7" y="2.5" width="0.4" height="0.4" label="Chair"/>\n'
     '  <placement x="4.7" y="3.7" width="0.4" height="0.4" label="Chair"/>\n'
 )
+_STRAY = '  <placement x="90" y="90" width="0.4" height="0.4" label="Chair"/>\n'
 
 #: Commands, in a folder with scenes.
 ROOMS = Frame(
@@ -25,10 +26,14 @@ ROOMS = Frame(
         "hall.xml": _SCENE.format("hall", _ROOM.format("Hall") + _TABLE + _CHAIRS),
         "yard.xml": _SCENE.format("yard", _TABLE + _CHAIRS),
         "chairs.xml": _SCENE.format("chairs", _CHAIRS),
+        "stray.xml": _SCENE.format("stray", _ROOM.format("Room") + _TABLE + _CHAIRS + _STRAY),
+        "plan.xml": _SCENE.format("plan", _ROOM.format("Room") + _TABLE).replace('"m"', '"px"'),
     },
 )
 _RUN = "layoutkit propagate other.xml --from {} -o placed.xml"
 _CHAIR = " --shape Chair_1"
+_PLACE = "layoutkit place {} {} -o placed.xml"
+_PLACED = _PLACE.format("room.xml", "other.xml")
 
 EXAMPLES = {
     "LK864": Example(
@@ -53,4 +58,13 @@ EXAMPLES = {
         _RUN.format("yard.xml").replace("other", "yard") + _CHAIR + " --carry boundary",
         _RUN.format("room.xml") + _CHAIR + " --carry boundary",
     ),
+    "LK871": Example(ROOMS, f"{_PLACED} --label Chiar", f"{_PLACED} --label Chair"),
+    "LK872": Example(
+        ROOMS,
+        f"{_PLACED} --relationships bounding-box",
+        f"{_PLACED} --relationships bounding-box-coordinates",
+    ),
+    "LK873": Example(ROOMS, _PLACE.format("stray.xml", "other.xml"), _PLACED),
+    "LK874": Example(ROOMS, _PLACE.format("room.xml", "plan.xml"), _PLACED),
+    "LK875": Example(ROOMS, _PLACE.format("hall.xml", "other.xml"), _PLACED),
 }
