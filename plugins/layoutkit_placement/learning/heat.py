@@ -101,11 +101,13 @@ class Heat:
             found[chosen], known[chosen] = self.models[sample].values_above(sets, len(chosen), least)
         return found, known
 
-    def seen_from(self, index: int) -> tuple[FeatureSets, Features]:
-        """Return the feature sets of one point of the grid, and the features that their members are of."""
-        number = self.tile_of[index]
-        place = self._place[[index]]
-        sets = {of: group.shapes(place) for of, group in self._sets[number].items()}
+    def seen_from(self, indices: Indices) -> tuple[list[FeatureSets], Features]:
+        """Return the feature sets of each of some points of one tile, and the features these are of."""
+        number = self.tile_of[indices[0]]
+        sets: list[FeatureSets] = [
+            {of: group.shapes(self._place[[index]]) for of, group in self._sets[number].items()}
+            for index in indices
+        ]
         return sets, self._features[number]
 
     def bounds(self, sample: int) -> Array:

@@ -6,13 +6,15 @@ Gaussians, which is cheap to evaluate on a fine grid about the maximum.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from layoutkit.scenes.features import Array, Features, FeatureType, Indices
 from layoutkit.scenes.view import View
 from layoutkit_placement.learning.descriptors import FeatureSets, Terms, distances, tuples
 from layoutkit_placement.learning.heat import PointModel
-from layoutkit_placement.learning.kernel import Stack, assignments, similarities
+from layoutkit_placement.learning.kernel import assignments, similarities
 
 #: Ever finer grids about the best point so far: how far each reaches, in steps of the coarse one, and what
 #: deviations are divided by. Sharper Gaussians come nearer to what they stand for: how many values agree.
@@ -20,78 +22,56 @@ LEVELS = ((0.6, 1.0), (0.2, 2.5))
 #: Points on each side of such a grid.
 FINE = 5
 
+#: Features of the examples, by their numbers in the stack, and those that are taken for them.
+Taken = tuple[Indices, Indices]
+
 
 def refined(
-    point: Array, sets: FeatureSets, features: Features, terms: Terms, model: PointModel, step: float
+    points: Array,
+    sets: Sequence[FeatureSets],
+    features: Features,
+    terms: Terms,
+    model: PointModel,
+    step: float,
 ) -> Array:
-    """Return the best point about a maximum.
+    """Return the best points about some maxima, shape (maxima, 2).
 
     Parameters
     ----------
-    point
-        The maximum on the grid, shape (2,).
+    points
+        The maxima on the grid, shape (maxima, 2).
     sets
-        The feature sets of that point alone.
+        The feature sets of each of them alone.
     features
         Those that the sets' members are of.
     step
         How far the points of the grid are apart.
     """
-    pairs = {of: _pairs(model, of, sets) for of in model.examples if of in sets}
-    used = [features.polygon_of(of)[sets[of].members[columns]] for of, (_, columns) in pairs.items()]
-    polygons = np.unique(np.concatenate([np.zeros(0, np.intp), *used]))
-    if not len(polygons):
-        return point
-    some = features.take(polygons)
-    taken = {
-        of: (rows, _renumbered(features, of, polygons, sets[of].members[columns]))
-        for of, (rows, columns) in pairs.items()
-    }
+    taken = [{of: _taken(model, of, own) for of in model.examples if of in own} for own in sets]
     for reach, sharpness in LEVELS:
         offsets = np.linspace(-reach * step, reach * step, FINE)
-        points = point + np.stack(np.meshgrid(offsets, offsets), axis=-1).reshape(-1, 2)
-        view = View(points, some)
-        total = np.zeros(len(points))
-        for of, (rows, members) in taken.items():
-            total += _values(view, of, terms, model, rows, members, sharpness)
-        point = points[int(total.argmax())]
-    return point
+        fine = points[:, None] + np.stack(np.meshgrid(offsets, offsets), axis=-1).reshape(-1, 2)
+        total = np.zeros(fine.shape[:2])
+        view = View(fine.reshape(-1, 2), features)
+        for of, stack in model.examples.items():
+            seen = tuples(view, terms.relationships[of], terms.deviations[of])
+            seen = seen.reshape(*total.shape, *seen.shape[1:])
+            importance = terms.importance(distances(view, of)).reshape(*total.shape, -1)
+            weight = stack.importance[0] * np.repeat(model.weights, np.diff(stack.first))
+            for place, own in enumerate(taken):
+                if of in own:
+                    rows, members = own[of]
+                    gap = sharpness * (seen[place][:, members] - stack.values[0, rows])
+                    alike = np.exp(-0.5 * gap * gap).sum(axis=2)
+                    total[place] += (alike * importance[place][:, members]) @ weight[rows]
+        points = fine[np.arange(len(fine)), total.argmax(axis=1)]
+    return points
 
 
-def _pairs(model: PointModel, of: FeatureType, sets: FeatureSets) -> tuple[Indices, Indices]:
-    """Return which features of the examples are taken for which of the point's."""
+def _taken(model: PointModel, of: FeatureType, sets: FeatureSets) -> Taken:
+    """Return which features of the examples are taken for which of those that the point sees."""
     stack = model.examples[of]
     matrix = similarities(stack, sets[of], np.zeros(1, np.intp))[0]
     rows, columns = assignments(matrix, stack.first)
     kept = matrix[rows, columns] > 0
-    return rows[kept], columns[kept]
-
-
-def _renumbered(features: Features, of: FeatureType, polygons: Indices, members: Indices) -> Indices:
-    """Return the numbers that features have among those of some polygons."""
-    kept = np.isin(features.polygon_of(of), polygons)
-    numbers: Indices = (np.cumsum(kept) - 1)[members]
-    return numbers
-
-
-def _values(
-    view: View,
-    of: FeatureType,
-    terms: Terms,
-    model: PointModel,
-    rows: Indices,
-    members: Indices,
-    sharpness: float,
-) -> Array:
-    stack = model.examples[of]
-    queried = tuples(view, terms.relationships[of], terms.deviations[of])[:, members]
-    alike = np.exp(-0.5 * (sharpness * (queried - stack.values[0, rows])) ** 2).sum(axis=2)
-    importance = terms.importance(distances(view, of))[:, members]
-    weight = stack.importance[0, rows] * _weights(stack, model.weights)[rows]
-    found: Array = (alike * importance) @ weight
-    return found
-
-
-def _weights(stack: Stack, weights: Array) -> Array:
-    """Return the weights of the examples, for each of their features."""
-    return np.repeat(weights, np.diff(stack.first))
+    return rows[kept], sets[of].members[columns[kept]]

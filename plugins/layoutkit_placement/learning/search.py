@@ -21,7 +21,7 @@ from layoutkit_placement.learning.samples import Boxes, sample_points
 #: Lengths, in the deviation of lengths: between points of the grid, about it, and about a maximum.
 STEP, MARGIN, RADIUS = 1.5, 2.5, 2.5
 #: Maxima below this share of the greatest are none. (The paper's 10 % leave hundreds that nothing needs.)
-FLOOR = 0.65
+FLOOR = 0.75
 #: At most so many maxima of each sample point, and candidates, in one area.
 MAXIMA, CANDIDATES = 50, 160
 
@@ -63,12 +63,13 @@ def grid_of(area: Area, terms: Terms) -> Grid:
 
 def _refined(heat: Heat, sample: int, found: Maxima, terms: Terms) -> Array:
     """Return the points of maxima between those of the grid, shape (maxima, 2)."""
-    own = heat.models[sample]
-    points = [
-        refined(heat.points[index], *heat.seen_from(index), terms, own, heat.grid.step)
-        for index in found.indices
-    ]
-    return np.array(points).reshape(-1, 2)
+    points = heat.points[found.indices]
+    numbers = heat.tile_of[found.indices]
+    for number in np.unique(numbers):
+        chosen = np.flatnonzero(numbers == number)
+        sets, features = heat.seen_from(found.indices[chosen])
+        points[chosen] = refined(points[chosen], sets, features, terms, heat.models[sample], heat.grid.step)
+    return points
 
 
 def _spanned(points: Sequence[Array], angles: Sequence[float] | None, deformation: Deformation) -> Boxes:

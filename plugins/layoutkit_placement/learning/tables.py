@@ -18,7 +18,7 @@ from layoutkit_placement.learning.kernel import Stack, Stacks
 
 #: Widths of a table's cells, in standard deviations; wider where there would be more than so many of them, as
 #: where corners are so sharp that ratios of their angles are beyond all bounds.
-CELL, MOST = 0.4, 256
+CELL, MOST = 0.25, 256
 #: A value that is farther than this from all of an example's adds next to nothing, which the outermost cells
 #: allow for.
 BEYOND = 3.5
