@@ -31,7 +31,7 @@ _ROOM = ("Floor", "Door", "Window")
 #: How shapes are learned in each domain, the same for every method that has the setting. Walls of facades all
 #: stand upright, and so do shapes on them; furniture turns to any side of a room, which is all of the scene.
 SETTINGS: dict[Domain, LearningSettings] = {
-    "facades": LearningSettings(),
+    "facades": LearningSettings(hierarchy=False),
     "rooms": LearningSettings(hierarchy=False, aligned=False),
 }
 

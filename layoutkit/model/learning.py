@@ -47,6 +47,11 @@ class LearningSettings:
         "Standard deviation of what distances count, in diagonals of the placed shape: elements that are "
         "farther away count less; 0: all count alike.",
     )
+    nearest: int = _setting(
+        3,
+        "How many features of each type and label about an example count: those that count most by their "
+        "distance; 0: all of them, as in the paper.",
+    )
     hierarchy: bool = _setting(
         True,
         "Whether a shape is related only to the polygon that it stands in, and to what else stands there.",

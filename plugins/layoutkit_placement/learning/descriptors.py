@@ -176,6 +176,28 @@ def describe(points: Array, features: Features, terms: Terms, words: Vocabulary)
     return found
 
 
+def nearest(sets: FeatureSets, count: int) -> FeatureSets:
+    """Return the feature sets of a single shape with the features of each type and label that count most.
+
+    Parameters
+    ----------
+    count
+        How many of each; 0: all.
+    """
+    return {of: _nearest(group, count) for of, group in sets.items()} if count > 0 else sets
+
+
+def _nearest(group: Group, count: int) -> Group:
+    importance = group.importance[0].sum(axis=0)
+    order = np.lexsort((-importance, group.codes))
+    codes = group.codes[order]
+    rank = np.arange(len(codes)) - np.searchsorted(codes, codes)
+    kept = np.sort(order[rank < count])
+    return Group(
+        group.values[:, :, kept], group.importance[:, :, kept], group.codes[kept], group.members[kept]
+    )
+
+
 def tuples(view: View, relationships: Sequence[Relationship], deviations: Array) -> Array:
     """Return relationship values in standard deviations, shape (points, features, values)."""
     return np.concatenate([each.evaluate(view) for each in relationships], axis=2) / deviations

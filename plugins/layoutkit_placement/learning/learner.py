@@ -19,7 +19,14 @@ from layoutkit.scenes.relationship import Relationship
 from layoutkit_placement.functions import BUILT_IN
 from layoutkit_placement.learning.areas import Area, Areas
 from layoutkit_placement.learning.deformation import Deformation
-from layoutkit_placement.learning.descriptors import FeatureSets, Terms, Vocabulary, describe, vocabulary
+from layoutkit_placement.learning.descriptors import (
+    FeatureSets,
+    Terms,
+    Vocabulary,
+    describe,
+    nearest,
+    vocabulary,
+)
 from layoutkit_placement.learning.heat import PointModel
 from layoutkit_placement.learning.kernel import gram, stacked
 from layoutkit_placement.learning.rating import OVERLAP, ShapeModel, apart, crossed, crossed_labels, inside
@@ -170,7 +177,8 @@ class Fitted:
     def _sets(self) -> list[FeatureSets]:
         points = sample_points(self.boxes)
         pairs = zip(points, self.areas, strict=True)
-        return [describe(own[None], area.features, self.terms, self._words) for own, area in pairs]
+        every = (describe(own[None], area.features, self.terms, self._words) for own, area in pairs)
+        return [nearest(sets, self.settings.nearest) for sets in every]
 
     @cached_property
     def _words(self) -> Vocabulary:

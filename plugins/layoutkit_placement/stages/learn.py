@@ -129,7 +129,7 @@ def _setting_faults(settings: LearningSettings, known: Sequence[Relationship]) -
     for name in ("tolerance", "regularisation"):
         if not getattr(settings, name) > 0:
             yield _setting(f"{name} is {getattr(settings, name):g}", "give a number above 0")
-    for name in ("reach", "shape_tolerance", "area_tolerance"):
+    for name in ("reach", "nearest", "shape_tolerance", "area_tolerance"):
         if not getattr(settings, name) >= 0:
             yield _setting(f"{name} is {getattr(settings, name):g}", "give a number of at least 0")
 
