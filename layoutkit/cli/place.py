@@ -16,7 +16,7 @@ from layoutkit.cli.placing import Afresh, ContributionsFile, HeatFile, Limit, Pi
 from layoutkit.cli.scene_files import Part, SceneOutputs
 from layoutkit.cli.scenes import read_scene
 from layoutkit.cli.session import Session
-from layoutkit.model import LearningSettings, PlacementModel
+from layoutkit.model import LearningSettings, PlacementModel, Spacing
 
 EXAMPLES = """
 Examples:
@@ -30,6 +30,7 @@ Examples:
 
 
 @declared_by(LearningSettings, "settings")
+@declared_by(Spacing, "spacing")
 def place(
     context: typer.Context,
     examples: Annotated[
@@ -58,6 +59,7 @@ def place(
     heat: HeatFile = None,
     contributions: ContributionsFile = None,
     scale: PictureScale = 1.0,
+    spacing: Spacing = Spacing(),  # noqa: B008 - frozen
     settings: LearningSettings = LearningSettings(),  # noqa: B008 - frozen
     as_json: Json = False,
 ) -> int:
@@ -77,6 +79,8 @@ def place(
         scene = cleared(scene, model.label)
     asked: dict[str, Any] = {"limit": limit, "evidence": targets.evidence}
     asked["relationships"] = tuple(session.host.relationships.values())
+    if spacing.each_width or spacing.each_height:
+        asked["spacing"] = spacing
     if threshold is not None:
         asked["threshold"] = finite(threshold)
     (outcome,) = session.run("place", scene, model=model, **asked)

@@ -76,18 +76,17 @@ class LearningSettings:
 class Spacing:
     """How shapes of one size fill placements, instead of one that is stretched (supplement, section 1).
 
-    Attributes
-    ----------
-    width, height
-        The size of one shape in document units; None: along this dimension it is stretched.
-    across, up
-        The least gap between two of them along the width and the height.
+    Every field has a help text in its metadata, from which commands' options follow.
     """
 
-    width: float | None = None
-    height: float | None = None
-    across: float = 0.0
-    up: float = 0.0
+    each_width: float | None = _setting(
+        None, "Fill placements along their width with shapes of this width, as many as there is room for."
+    )
+    each_height: float | None = _setting(
+        None, "Fill placements along their height with shapes of this height, as many as there is room for."
+    )
+    gap_across: float = _setting(0.0, "The least gap between shapes that fill a width.")
+    gap_up: float = _setting(0.0, "The least gap between shapes that fill a height.")
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,8 +18,8 @@ def filled(whole: Placement, spacing: Spacing) -> Iterator[Placement]:
 
     There is no gap before the first and after the last one; a single one stands in the middle.
     """
-    columns = _positions(whole.width, spacing.width, spacing.across)
-    rows = _positions(whole.height, spacing.height, spacing.up)
+    columns = _positions(whole.width, spacing.each_width, spacing.gap_across)
+    rows = _positions(whole.height, spacing.each_height, spacing.gap_up)
     cosine, sine = math.cos(math.radians(whole.angle)), math.sin(math.radians(whole.angle))
     for v, own_height in rows:
         for u, own_width in columns:
@@ -29,7 +29,7 @@ def filled(whole: Placement, spacing: Spacing) -> Iterator[Placement]:
 
 def _positions(room: float, size: float | None, gap: float) -> list[tuple[float, float]]:
     """Return the centres of shapes from the middle of the room, with their sizes along it."""
-    if size is None or size > room:
+    if not size or size > room:
         return [(0.0, room)]
     count = int((room + gap) / (size + gap) + 1e-9)
     if count <= 1:

@@ -160,7 +160,7 @@ def test_nothing_is_put_over_what_no_example_overlaps(fitted: Fitted) -> None:
 
 def test_arrays_fill_placements_with_shapes_of_one_size() -> None:
     whole = Placement(5.0, 1.0, 7.0, 1.2, 30.0, "Bench", 0.9)
-    some = tuple(filled(whole, Spacing(width=1.0, across=0.4)))
+    some = tuple(filled(whole, Spacing(each_width=1.0, gap_across=0.4)))
     assert len(some) == 5
     assert {(one.width, one.height, one.angle, one.score) for one in some} == {(1.0, 1.2, 30.0, 0.9)}
     steps = [math.dist((a.x, a.y), (b.x, b.y)) for a, b in pairwise(some)]
@@ -171,7 +171,7 @@ def test_arrays_fill_placements_with_shapes_of_one_size() -> None:
 
 def test_an_array_of_one_stands_in_the_middle() -> None:
     whole = Placement(5.0, 1.0, 1.9, 1.2, 0.0, "Bench")
-    [only] = filled(whole, Spacing(width=1.0, across=0.4))
+    [only] = filled(whole, Spacing(each_width=1.0, gap_across=0.4))
     assert (only.x, only.y, only.width, only.height) == (5.0, 1.0, 1.0, 1.2)
 
 
