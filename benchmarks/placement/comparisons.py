@@ -149,7 +149,7 @@ class Gaussian:
         How many deviations off a feature counts that has no partner; none counts as farther off.
     """
 
-    missing: float = 5.0
+    missing: float = 2.0
 
     def prepare(
         self, described: Description, kinds: Kinds, count: int, samples: int

@@ -16,7 +16,7 @@ from layoutkit.scenes.relationship import Relationship
 #: Poses that keep less than this share of the relationships are not looked at; the best threshold is higher.
 LEAST = 0.3
 #: About how many points the grid of a propagation has.
-POINTS = 40_000
+POINTS = 20_000
 
 
 class Fitted(Protocol):
@@ -142,8 +142,8 @@ METHODS: Mapping[str, Method] = {
     each.name: each
     for each in (
         Learned(),
-        Baseline("closest", Closest(), _of_the_paper(), 1.0, 0.5),
-        Baseline("histogram", Histograms(), _of_the_paper(), 1.0, 0.5),
+        Baseline("closest", Closest(), _of_the_paper(), 1.5, 0.5),
+        Baseline("histogram", Histograms(), _of_the_paper(), 2.5, 0.5),
         Baseline("gaussian", Gaussian(), (CentroidOffset(),), 4.0, 0.1),
         Propagation(0.1),
     )

@@ -168,7 +168,7 @@ class Pooled:
             spanned = [upright_candidates(points, angle, self._deformation) for angle in self._angles(area)]
             boxes = np.concatenate([np.zeros((0, 5)), *spanned])
         else:
-            boxes = free_candidates(points, self._deformation)
+            boxes = free_candidates(points, area.angle, self._deformation)
         support = _support(boxes, grid, values) * self._deformation.factors(boxes)
         return distinct(boxes, support, self._length / 2, CANDIDATES)
 

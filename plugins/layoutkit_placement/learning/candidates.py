@@ -15,6 +15,8 @@ from layoutkit.scenes.features import Array
 from layoutkit_placement.learning.deformation import LEAST, Deformation
 from layoutkit_placement.learning.samples import SAMPLES, UNITS, Boxes
 
+#: Boxes that are turned by no more than this (radians) against their surroundings are straightened.
+_CROOKED = np.radians(6.0)
 #: By how much of the box's diagonal the corner of a candidate may miss a right angle.
 _SKEW = 0.1
 
@@ -39,16 +41,24 @@ def upright_candidates(points: Sequence[Array], angle: float, deformation: Defor
     return _plausible(whole, deformation)
 
 
-def free_candidates(points: Sequence[Array], deformation: Deformation) -> Boxes:
+def free_candidates(points: Sequence[Array], angle: float, deformation: Deformation) -> Boxes:
     """Return the boxes of any orientation that triplets of maxima span.
+
+    Those that stand nearly along or across what is about them are straightened: maxima are not exact enough
+    to mean so little.
 
     Parameters
     ----------
     points
         The maxima of each sample point, shapes (maxima, 2).
+    angle
+        The main orientation of what is about them, in radians.
     """
-    found = [_plausible(_fitted(points, triplet), deformation) for triplet in _triplets()]
-    return np.concatenate([np.zeros((0, 5)), *found])
+    fitted = [_plausible(_fitted(points, triplet), deformation) for triplet in _triplets()]
+    found = np.concatenate([np.zeros((0, 5)), *fitted])
+    straight = angle + np.rint((found[:, 4] - angle) / (np.pi / 2)) * (np.pi / 2)
+    found[:, 4] = np.where(np.abs(found[:, 4] - straight) <= _CROOKED, straight, found[:, 4])
+    return found
 
 
 def _diagonals() -> Iterator[tuple[int, int]]:

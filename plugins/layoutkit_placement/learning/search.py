@@ -51,7 +51,7 @@ def candidates(
         found = maxima(heat.grid, heat.tile_of, bounds, own, RADIUS * length, FLOOR, MAXIMA)
         points.append(_refined(heat, sample, found, terms))
         values.append(bounds)
-    boxes = _spanned(points, angles, deformation)
+    boxes = _spanned(points, angles, area, deformation)
     support = _support(boxes, heat.grid, values) * deformation.factors(boxes)
     return distinct(boxes, support, length / 2, CANDIDATES)
 
@@ -72,9 +72,11 @@ def _refined(heat: Heat, sample: int, found: Maxima, terms: Terms) -> Array:
     return points
 
 
-def _spanned(points: Sequence[Array], angles: Sequence[float] | None, deformation: Deformation) -> Boxes:
+def _spanned(
+    points: Sequence[Array], angles: Sequence[float] | None, area: Area, deformation: Deformation
+) -> Boxes:
     if angles is None:
-        return free_candidates(points, deformation)
+        return free_candidates(points, area.angle, deformation)
     return np.concatenate(
         [np.zeros((0, 5)), *(upright_candidates(points, angle, deformation) for angle in angles)]
     )
