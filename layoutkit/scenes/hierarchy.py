@@ -13,23 +13,24 @@ from layoutkit.model.scene import Placement, Polygon
 from layoutkit.scenes.features import Array, Indices
 from layoutkit.scenes.shapes import Shapes, shapes
 
-#: Two polygons overlap from this share of the smaller one's area on: those that only touch do not.
-OVERLAP = 1e-6
+#: A polygon is inside a larger one from this share of its area on. The papers take any overlap for it; but a
+#: sill that touches a window, or a balcony that hides the foot of one, stands on the wall.
+OVERLAP = 0.5
 
 
 @dataclass(frozen=True)
 class Hierarchy:
     """The containment hierarchy of polygons.
 
-    One polygon is inside another if that contains it, or if the two overlap and that is larger; its parent is
-    the smallest such polygon. Of equally large ones the one that is listed first is the outer one.
+    One polygon is inside another if that contains it, or if that is larger and half of it or more lies there;
+    its parent is the smallest such polygon. Of equally large ones the one that is listed first is the outer.
 
     Attributes
     ----------
     polygons
         All of them.
     overlap
-        From which share of the smaller one's area on two polygons overlap.
+        From which share of its area on one is inside another.
     """
 
     polygons: tuple[Polygon, ...]

@@ -18,10 +18,6 @@ from layoutkit.scenes.features import Features, Labels
 from layoutkit.scenes.hierarchy import Hierarchy
 from layoutkit.scenes.soundness import examined
 
-#: A polygon stands in another from this share of its area inside on. The papers take any overlap for it;
-#: but a sill that touches a window, or a balcony that hides the foot of one, stands on the wall.
-INSIDE = 0.5
-
 
 @dataclass(frozen=True)
 class Area:
@@ -99,7 +95,7 @@ class Areas:
 
     @cached_property
     def _hierarchy(self) -> Hierarchy:
-        return Hierarchy(self.scene.polygons, INSIDE)
+        return Hierarchy(self.scene.polygons)
 
     @cached_property
     def _children(self) -> dict[int, list[int]]:

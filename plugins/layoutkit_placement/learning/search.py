@@ -21,7 +21,7 @@ from layoutkit_placement.learning.samples import Boxes, sample_points
 #: Lengths, in the deviation of lengths: between points of the grid, about it, and about a maximum.
 STEP, MARGIN, RADIUS = 1.5, 2.5, 2.5
 #: Maxima below this share of the greatest are none. (The paper's 10 % leave hundreds that nothing needs.)
-FLOOR = 0.75
+FLOOR = 0.6
 #: At most so many maxima of each sample point, and candidates, in one area.
 MAXIMA, CANDIDATES = 50, 160
 
