@@ -35,7 +35,7 @@ from layoutkit_placement.learning.areas import Area, Areas
 from layoutkit_placement.learning.descriptors import describe
 from layoutkit_placement.learning.heat import Heat
 from layoutkit_placement.learning.maxima import maxima
-from layoutkit_placement.learning.search import FLOOR, MAXIMA, RADIUS, grid_of
+from layoutkit_placement.learning.search import FLOOR, RADIUS, grid_of, most_maxima
 
 AIM, FASTER = 1.0, 20.0
 #: About so many points are evaluated directly, so many of them at once.
@@ -128,13 +128,13 @@ def street(count: int, rng: np.random.Generator) -> tuple[Scene, tuple[Placement
     return Scene("street", "m", tuple(polygons)), tuple(garages)
 
 
-def dense(heat: Heat, radius: float) -> list[list[int]]:
+def dense(heat: Heat, radius: float, most: int) -> list[list[int]]:
     """Return the maxima of all sample points, every point evaluated."""
     found = []
     for sample in range(len(heat.models)):
         values = heat.exact(sample, np.arange(len(heat.points)))
         highest, indices = values.max(), list[int]()
-        while len(indices) < MAXIMA:
+        while len(indices) < most:
             top = int(values.argmax())
             if not values[top] > 0 or values[top] < FLOOR * highest:
                 break
@@ -157,7 +157,7 @@ def direct(fitted: Fitted, area: Area, points: np.ndarray) -> float:
     return (time.perf_counter() - start) * len(points) / len(some)
 
 
-def bounded(heat: Heat, radius: float) -> tuple[list[list[int]], int]:
+def bounded(heat: Heat, radius: float, most: int) -> tuple[list[list[int]], int]:
     """Return the maxima of all sample points as learning finds them, and how often points were evaluated."""
     found, count = [], 0
     for sample in range(len(heat.models)):
@@ -165,7 +165,7 @@ def bounded(heat: Heat, radius: float) -> tuple[list[list[int]], int]:
         def own(some: np.ndarray, least: float, sample: int = sample) -> tuple[np.ndarray, np.ndarray]:
             return heat.above(sample, some, least)
 
-        best = maxima(heat.grid, heat.tile_of, heat.bounds(sample), own, radius, FLOOR, MAXIMA)
+        best = maxima(heat.grid, heat.tile_of, heat.bounds(sample), own, radius, FLOOR, most)
         found.append(best.indices.tolist())
         count += best.evaluated
     return found, count
@@ -183,12 +183,15 @@ def measured(operation: str, shape: Shape, settings: LearningSettings, repeats: 
         times.append(time.perf_counter() - start)
     [area] = Areas.of(asked, settings.hierarchy).of_labels(fitted.parents)
     radius = RADIUS * fitted.terms.length
-    heat, search, (points, count) = _searched(fitted, area, radius)
+    most = most_maxima(area)
+    heat, search, (points, count) = _searched(fitted, area, radius, most)
     whole = scaled = None
     if beside:
         scaled = direct(fitted, area, heat.points)
         start = time.perf_counter()
-        every = dense(Heat(area, grid_of(area, fitted.terms), fitted.terms, fitted.point_models), radius)
+        every = dense(
+            Heat(area, grid_of(area, fitted.terms), fitted.terms, fitted.point_models), radius, most
+        )
         whole = time.perf_counter() - start
         if every != points:
             raise SystemExit(f"{operation}: the dense evaluation finds other maxima")
@@ -197,10 +200,12 @@ def measured(operation: str, shape: Shape, settings: LearningSettings, repeats: 
     return Figures(operation, polygons, grid, count, len(found), learned, search, whole, scaled)
 
 
-def _searched(fitted: Fitted, area: Area, radius: float) -> tuple[Heat, float, tuple[list[list[int]], int]]:
+def _searched(
+    fitted: Fitted, area: Area, radius: float, most: int
+) -> tuple[Heat, float, tuple[list[list[int]], int]]:
     start = time.perf_counter()
     heat = Heat(area, grid_of(area, fitted.terms), fitted.terms, fitted.point_models)
-    found = bounded(heat, radius)
+    found = bounded(heat, radius, most)
     return heat, time.perf_counter() - start, found
 
 

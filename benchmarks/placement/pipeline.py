@@ -27,7 +27,7 @@ from layoutkit_placement.learning.grid import Grid, boxes_about, near
 from layoutkit_placement.learning.rating import apart, crossed_labels
 from layoutkit_placement.learning.regression import weights
 from layoutkit_placement.learning.samples import SAMPLES, boxes_of, diagonals, sample_points
-from layoutkit_placement.learning.search import CANDIDATES, MARGIN, MAXIMA, RADIUS, STEP
+from layoutkit_placement.learning.search import BOXES, MARGIN, RADIUS, STEP, most_maxima
 
 #: So many boxes are described at once, as they stand next to each other.
 _TOGETHER = 16
@@ -159,10 +159,11 @@ class Pooled:
 
     def _candidates(self, area: Area) -> Array:
         grid = Grid.over(area, STEP * self._length, MARGIN * self._length)
+        most = most_maxima(area)
         values = self._heat(area, grid)
         points = []
         for own, model in zip(values, self._points, strict=True):
-            highest = maxima(grid.points, own, RADIUS * self._length, self.floor)
+            highest = maxima(grid.points, own, RADIUS * self._length, self.floor, most)
             points.append(self._refined(grid.points[highest], model, area, grid.step))
         if self.settings.aligned:
             spanned = [upright_candidates(points, angle, self._deformation) for angle in self._angles(area)]
@@ -170,7 +171,7 @@ class Pooled:
         else:
             boxes = free_candidates(points, area.angle, self._deformation)
         support = _support(boxes, grid, values) * self._deformation.factors(boxes)
-        return distinct(boxes, support, self._length / 2, CANDIDATES)
+        return distinct(boxes, support, self._length / 2, BOXES * most)
 
     def _heat(self, area: Area, grid: Grid) -> Array:
         """Return how well each sample point would stand at all points of a grid, shape (samples, points)."""
@@ -222,11 +223,11 @@ class Pooled:
         return tuple(area.angle + float(np.radians(turn)) for turn in turns)
 
 
-def maxima(points: Array, values: Array, radius: float, floor: float) -> Indices:
+def maxima(points: Array, values: Array, radius: float, floor: float, most: int) -> Indices:
     """Return the points of greatest value, none within a radius of a greater one, the greatest first."""
     left = values.copy()
     found: list[int] = []
-    while len(found) < MAXIMA:
+    while len(found) < most:
         top = int(left.argmax())
         if not left[top] > max(0.0, floor * values.max()):
             break

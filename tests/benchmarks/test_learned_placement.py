@@ -21,7 +21,7 @@ def test_the_dense_evaluation_finds_the_same_maxima() -> None:
     [area] = Areas.of(facade(3, 1, 3.2, np.random.default_rng(2)), True).of_labels(fitted.parents)
     heat = Heat(area, grid_of(area, fitted.terms), fitted.terms, fitted.point_models)
     radius = RADIUS * fitted.terms.length
-    assert bounded(heat, radius)[0] == dense(heat, radius)
+    assert bounded(heat, radius, 30)[0] == dense(heat, radius, 30)
 
 
 def test_every_plot_gets_a_garage() -> None:

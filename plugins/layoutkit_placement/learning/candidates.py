@@ -13,10 +13,12 @@ import numpy as np
 
 from layoutkit.scenes.features import Array
 from layoutkit_placement.learning.deformation import LEAST, Deformation
-from layoutkit_placement.learning.samples import SAMPLES, UNITS, Boxes
+from layoutkit_placement.learning.samples import SAMPLES, UNITS, Boxes, sample_points
 
 #: Boxes that are turned by no more than this (radians) against their surroundings are straightened.
 _CROOKED = np.radians(6.0)
+#: Of candidates that are nearly the same there are seldom more than so many.
+_ALIKE = 12
 #: By how much of the box's diagonal the corner of a candidate may miss a right angle.
 _SKEW = 0.1
 
@@ -136,9 +138,7 @@ def distinct(boxes: Boxes, support: Array, closer: float, most: int) -> Boxes:
     most
         How many to return at most.
     """
-    from layoutkit_placement.learning.samples import sample_points
-
-    order = np.argsort(-support, kind="stable")
+    order = np.argsort(-support, kind="stable")[: _ALIKE * most]
     corners = sample_points(boxes)[:, :4].reshape(-1, 8)
     kept: list[int] = []
     known = np.zeros((most, 8))

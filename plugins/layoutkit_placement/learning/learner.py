@@ -33,6 +33,7 @@ from layoutkit_placement.learning.rating import OVERLAP, ShapeModel, apart, cros
 from layoutkit_placement.learning.regression import weights
 from layoutkit_placement.learning.samples import SAMPLES, boxes_of, diagonals, sample_points
 from layoutkit_placement.learning.search import candidates
+from layoutkit_placement.learning.settings import check_settings
 
 #: The paper's relationship functions (appendix A.2).
 PAPER = (
@@ -67,8 +68,13 @@ class Learner:
         Raises
         ------
         ValueError
-            If there are no examples, or a relationship function is not known.
+            If there are no examples.
+        Faulty
+            If the settings make no sense (LK872).
         """
+        check_settings(self.settings, self.known)
+        if not examples:
+            raise ValueError("there are no examples")
         return Fitted(tuple(examples), self.settings, self._relationships, name)
 
     @property

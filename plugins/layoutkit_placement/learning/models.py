@@ -35,7 +35,7 @@ def fitted_of(model: PlacementModel, known: Sequence[Relationship] = BUILT_IN) -
     Raises
     ------
     Faulty
-        If it names a relationship function that is not known.
+        If its settings make no sense (LK872).
     """
     return Learner(model.settings, tuple(known)).fit(model.examples)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 
@@ -22,8 +23,11 @@ from layoutkit_placement.learning.samples import Boxes, sample_points
 STEP, MARGIN, RADIUS = 1.5, 2.5, 2.5
 #: Maxima below this share of the greatest are none. (The paper's 10 % leave hundreds that nothing needs.)
 FLOOR = 0.6
-#: At most so many maxima of each sample point, and candidates, in one area.
-MAXIMA, CANDIDATES = 50, 160
+#: Of each sample point at least and at most so many maxima are looked at in an area, and so many candidates
+#: for each maximum.
+FEWEST, MOST, BOXES = 50, 1000, 2
+#: A grid has at most so many points: in larger areas they are farther apart.
+POINTS = 80_000
 
 
 def candidates(
@@ -44,21 +48,45 @@ def candidates(
     if not area.polygons:
         return np.zeros((0, 5))
     heat = Heat(area, grid_of(area, terms), terms, models)
+    radius = max(RADIUS * length, 1.5 * heat.grid.step)
+    most = most_maxima(area)
     points, values = [], []
     for sample in range(len(models)):
         bounds = heat.bounds(sample)
         own = partial(heat.above, sample)
-        found = maxima(heat.grid, heat.tile_of, bounds, own, RADIUS * length, FLOOR, MAXIMA)
+        found = maxima(heat.grid, heat.tile_of, bounds, own, radius, FLOOR, most)
         points.append(_refined(heat, sample, found, terms))
         values.append(bounds)
     boxes = _spanned(points, angles, area, deformation)
     support = _support(boxes, heat.grid, values) * deformation.factors(boxes)
-    return distinct(boxes, support, length / 2, CANDIDATES)
+    return distinct(boxes, support, length / 2, BOXES * most)
+
+
+def most_maxima(area: Area) -> int:
+    """Return how many maxima of each sample point are looked at in an area.
+
+    Enough for a place at each of its polygons of the most common labels, and some more.
+    """
+    counts = Counter(area.features.polygon_labels)
+    common = max(counts.values(), default=0)
+    return min(MOST, max(FEWEST, common + common // 4 + 10))
 
 
 def grid_of(area: Area, terms: Terms) -> Grid:
     """Return the points of an area that are looked at."""
-    return Grid.over(area, STEP * terms.length, MARGIN * terms.length)
+    return Grid.over(area, step_of(area, terms), MARGIN * terms.length)
+
+
+def step_of(area: Area, terms: Terms) -> float:
+    """Return how far points are apart in an area: farther where there would be too many."""
+    x0, y0, x1, y1 = area.extent
+    margin = 2 * MARGIN * terms.length
+    return max(STEP * terms.length, float(np.sqrt((x1 - x0 + margin) * (y1 - y0 + margin) / POINTS)))
+
+
+def is_coarse(area: Area, terms: Terms) -> bool:
+    """Tell whether an area is so large for the shape that places in it may be missed."""
+    return bool(area.polygons) and step_of(area, terms) > 2 * STEP * terms.length
 
 
 def _refined(heat: Heat, sample: int, found: Maxima, terms: Terms) -> Array:

@@ -10,7 +10,7 @@ import numpy as np
 
 from layoutkit.model.scene import Polygon
 from layoutkit.scenes.hierarchy import Hierarchy
-from layoutkit_placement.learning.areas import INSIDE, Area
+from layoutkit_placement.learning.areas import Area
 from layoutkit_placement.propagation.choosing import chosen
 
 
@@ -57,4 +57,4 @@ class Scopes:
 
     @cached_property
     def _parents(self) -> np.ndarray[tuple[int, ...], np.dtype[np.intp]]:
-        return Hierarchy(self.polygons, INSIDE).parents
+        return Hierarchy(self.polygons).parents

@@ -64,13 +64,12 @@ class Learn(Stage):
         from layoutkit_placement.functions import BUILT_IN
         from layoutkit_placement.learning.learner import Learner
         from layoutkit_placement.learning.models import model_of
+        from layoutkit_placement.learning.settings import check_settings
 
         start = time.perf_counter()
         scenes = (scene, *options.more)
         known = options.relationships or BUILT_IN
-        faults = [*_setting_faults(options.settings, known)]
-        if faults:
-            raise Faulty(faults)
+        check_settings(options.settings, known)
         label = options.label or _only_label(scenes)
         examples = _chosen(_examples(scenes, label), options.chosen, label)
         left_out = dict.fromkeys(d for own in scenes for d in examined(own.polygons).left_out)
@@ -118,22 +117,6 @@ def _chosen(examples: tuple[Example, ...], numbers: Sequence[int], label: str) -
     return tuple(examples[number - 1] for number in dict.fromkeys(numbers)) or examples
 
 
-def _setting_faults(settings: LearningSettings, known: Sequence[Relationship]) -> Iterator[Diagnostic]:
-    names = [each.name for each in known]
-    for name in settings.relationships:
-        if name not in names:
-            yield _setting(f"there is no relationship function {name!r}", did_you_mean(name, names))
-        elif next(each for each in known if each.name == name).directional:
-            hint = "learning relates points, which have no direction; `propagate` relates poses"
-            yield _setting(f"{name} needs a direction", hint)
-    for name in ("tolerance", "regularisation"):
-        if not getattr(settings, name) > 0:
-            yield _setting(f"{name} is {getattr(settings, name):g}", "give a number above 0")
-    for name in ("reach", "nearest", "shape_tolerance", "area_tolerance"):
-        if not getattr(settings, name) >= 0:
-            yield _setting(f"{name} is {getattr(settings, name):g}", "give a number of at least 0")
-
-
 def _remarks(examples: Sequence[Example], informed: Sequence[bool]) -> Iterator[Diagnostic]:
     """Say of which examples nothing can be learned."""
     for example, known in zip(examples, informed, strict=True):
@@ -151,7 +134,3 @@ def _remarks(examples: Sequence[Example], informed: Sequence[bool]) -> Iterator[
 
 def _no_examples(message: str, hint: str) -> Faulty:
     return Faulty([Diagnostic("LK871", message, hint=hint, topic=_TOPIC)])
-
-
-def _setting(message: str, hint: str) -> Diagnostic:
-    return Diagnostic("LK872", message, hint=hint, topic=_TOPIC)
