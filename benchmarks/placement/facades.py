@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from layoutkit.model.scene import Polygon, Scene
+from layoutkit.scenes.boxes import box_about
 from layoutkit_formats.scenes.cmp import CmpScenes
-from layoutkit_placement.learning import placement_of
 
 #: A pixel of a photo has no size of its own. Each facade is scaled so that its median window, by the
 #: geometric mean of its sides, measures this many metres: of what was tried (height of the facade, width,
@@ -27,7 +27,7 @@ def facades(folder: Path) -> tuple[Scene, ...]:
 
 def scaled(scene: Scene) -> Scene:
     """Return a facade in metres by its windows."""
-    windows = [placement_of(p, "Window") for p in scene.polygons if "Window" in p.labels]
+    windows = [box_about(p, "Window") for p in scene.polygons if "Window" in p.labels]
     metres = WINDOW / statistics.median((own.width * own.height) ** 0.5 for own in windows)
     return replace(scene, units="m", polygons=tuple(_scaled(p, metres) for p in scene.polygons), picture=None)
 

@@ -20,7 +20,7 @@ from typing import Literal
 
 from layoutkit.model.learning import Example, LearningSettings
 from layoutkit.model.scene import Placement, Scene
-from layoutkit_placement.learning import placement_of
+from layoutkit.scenes.boxes import box_about
 
 Domain = Literal["facades", "rooms"]
 
@@ -105,5 +105,5 @@ def stages(operation: Operation, scenes: Sequence[Scene]) -> tuple[Stage, ...]:
 def stage(operation: Operation, scene: Scene) -> Stage:
     """Return a scene as it is before an operation."""
     present = tuple(p for p in scene.polygons if not set(p.labels).isdisjoint(operation.present))
-    truths = tuple(placement_of(p, operation.label) for p in scene.polygons if operation.label in p.labels)
+    truths = tuple(box_about(p, operation.label) for p in scene.polygons if operation.label in p.labels)
     return Stage(Scene(scene.name, scene.units, present), truths)

@@ -10,6 +10,7 @@ import typer
 
 from layoutkit.cli import console
 from layoutkit.cli.options import Json
+from layoutkit.cli.scene_files import Part
 from layoutkit.cli.scene_summary import model_data, model_lines, scene_data, scene_lines
 from layoutkit.cli.session import Session
 from layoutkit.model import Facade, Grid, Layout, PlacedRegion, Region, place
@@ -38,9 +39,11 @@ def inspect(
         Path,
         typer.Argument(
             metavar="DOC",
-            help="A facade, layout, mass, session or scene document, or a placement model (XML).",
+            help="A facade, layout, mass, session or scene document, a placement model, or a drawing that is "
+            "read as a scene.",
         ),
     ],
+    part: Part = None,
     as_json: Json = False,
 ) -> int:
     """Show what a document holds: regions, faces of a mass, edits of a session, or what stands in a scene.
@@ -53,6 +56,7 @@ def inspect(
     unique paths, and null where there is a gap.
     """
     from layoutkit import documents
+    from layoutkit.cli.scenes import is_tree, read_scene, scene_formats
 
     session = Session.of(context)
     if documents.is_mass(document_file):
@@ -71,6 +75,9 @@ def inspect(
         learned = documents.read_placement_model(document_file)
         session.report(learned.diagnostics)
         data, lines = model_data(learned.model), model_lines(learned.model)
+    elif part is not None or (not is_tree(document_file) and scene_formats(session, document_file)):
+        drawn = read_scene(session, document_file, part)
+        data, lines = scene_data(drawn), scene_lines(drawn)
     else:
         model = session.read(document_file).model
         data, lines = summary(model), tree(model)

@@ -49,7 +49,7 @@ def read_scene(
         read = documents.read_scene(path)
         session.report(read.diagnostics)
         return read.scene
-    if format_name is None and _is_tree(path):
+    if format_name is None and is_tree(path):
         from layoutkit.scenes.regions import scene_of
 
         _no_part(path, part)
@@ -115,7 +115,7 @@ def scene_format(session: Session, path: Path, name: str | None = None) -> Scene
     raise Faulty([_undecided(path, fitting or list(session.host.scene_formats.values()), bool(fitting))])
 
 
-def _is_tree(path: Path) -> bool:
+def is_tree(path: Path) -> bool:
     """Tell whether a file is a facade or layout, or another document of ours that their reader tells of."""
     from layoutkit.cli.gathering import root_name
     from layoutkit.documents import NAMESPACE, Source

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Annotated
 
@@ -53,19 +52,6 @@ def named_shape(scene: Scene, name: str) -> Placement:
         return scene.placements[placed.index(name)]
     if not known[name].labels:
         raise misused(f"{name} has no label, by which others of its kind are known", "give it one")
-    return box_about(known[name])
+    from layoutkit.scenes.boxes import box_about
 
-
-def box_about(polygon: Polygon) -> Placement:
-    """Return the box about a polygon along its main orientation, with its first label."""
-    from layoutkit.scenes.orientation import main_angle
-
-    angle = main_angle(polygon)
-    cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-    us = [x * cosine + y * sine for x, y in polygon.points]
-    vs = [y * cosine - x * sine for x, y in polygon.points]
-    u, v = (min(us) + max(us)) / 2, (min(vs) + max(vs)) / 2
-    size = (max(us) - min(us), max(vs) - min(vs))
-    return Placement(
-        u * cosine - v * sine, u * sine + v * cosine, *size, angle, polygon.labels[0], place=polygon.place
-    )
+    return box_about(known[name], known[name].labels[0])

@@ -27,7 +27,7 @@ from benchmarks.placement.operations import OPERATIONS, Operation, stage, stages
 from benchmarks.placement.protocol import EXAMPLES, Result, results, splits
 from layoutkit.model.learning import Example, LearningSettings
 from layoutkit.model.scene import Placement, Polygon, Scene
-from layoutkit_placement.learning import placement_of
+from layoutkit.scenes.boxes import box_about
 
 ROOT = Path(__file__).parents[2]
 DATA = ROOT.parent / "shared" / "data"
@@ -232,10 +232,10 @@ def test_facades_are_upright_and_of_one_scale() -> None:
     found = scenes("facades", DATA)
     assert [scene.name for scene in found] == sorted(scene.name for scene in found)
     for scene in found:
-        boxes = [placement_of(p, "") for p in scene.polygons if p.labels == ("Window",)]
+        boxes = [box_about(p, "") for p in scene.polygons if p.labels == ("Window",)]
         assert np.median([(b.width * b.height) ** 0.5 for b in boxes]) == pytest.approx(WINDOW)
     doors = [
-        placement_of(p, "").y / scene.bounds[3]
+        box_about(p, "").y / scene.bounds[3]
         for scene in found
         for p in scene.polygons
         if "Door" in p.labels

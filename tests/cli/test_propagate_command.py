@@ -8,11 +8,12 @@ from typing import Any
 import pytest
 from PIL import Image
 
-from layoutkit.cli.shapes import box_about, named_shape
+from layoutkit.cli.shapes import named_shape
 from layoutkit.diagnostics import Faulty
 from layoutkit.documents import check, read_scene, scene_bytes
 from layoutkit.model import Placement, Polygon, Scene
 from layoutkit.samples import find_sample
+from layoutkit.scenes.boxes import box_about
 
 
 @pytest.fixture
@@ -135,7 +136,7 @@ def test_polygons_are_shapes_as_the_boxes_about_them() -> None:
     nameless = Polygon.rectangle("rug", 8, 8, 9, 9)
     scene = Scene("room", "m", (turned, nameless), (Placement(1, 2, 3, 4, 5, "Lamp"),))
     box = named_shape(scene, "bed")
-    assert box == box_about(turned)
+    assert box == box_about(turned, turned.labels[0])
     assert (box.width, box.height, box.label) == (pytest.approx(5), pytest.approx(2), "Bed")
     assert sorted(box.points) == [pytest.approx(point) for point in sorted(turned.points)]
     assert named_shape(scene, "Lamp_1") == scene.placements[0]

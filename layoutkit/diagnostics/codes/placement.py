@@ -93,4 +93,12 @@ CODES = (
         "Do as the hint says.",
         severity=Severity.WARNING,
     ),
+    Code(
+        "LK876",
+        "area looked at coarsely",
+        "An area is so large for the shape that the points that are looked at are far apart.",
+        "A park for a bench; a polygon about a whole town.",
+        "Cut it into smaller polygons, or raise the tolerance.",
+        severity=Severity.WARNING,
+    ),
 )

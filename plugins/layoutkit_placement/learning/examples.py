@@ -5,31 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from layoutkit.model.learning import Example
-from layoutkit.model.scene import Placement, Polygon, Scene
-from layoutkit.scenes.orientation import main_angle
-
-
-def placement_of(polygon: Polygon, label: str) -> Placement:
-    """Return the box about a polygon, along its main orientation."""
-    degrees = main_angle(polygon)
-    angle = np.radians(degrees)
-    points = np.asarray(polygon.points, float)
-    u = points @ np.array([np.cos(angle), np.sin(angle)])
-    v = points @ np.array([-np.sin(angle), np.cos(angle)])
-    (u0, u1), (v0, v1) = ((float(w.min()), float(w.max())) for w in (u, v))
-    middle, level = (u0 + u1) / 2, (v0 + v1) / 2
-    x = float(np.cos(angle) * middle - np.sin(angle) * level)
-    y = float(np.sin(angle) * middle + np.cos(angle) * level)
-    return Placement(x, y, u1 - u0, v1 - v0, degrees, label, place=polygon.place)
+from layoutkit.model.scene import Placement, Scene
+from layoutkit.scenes.boxes import box_about
 
 
 def shapes_of(scene: Scene, label: str) -> tuple[Placement, ...]:
     """Return the shapes of a label: placements first, then polygons as the boxes about them."""
     placed = [placement for placement in scene.placements if placement.label == label]
-    return (*placed, *(placement_of(p, label) for p in scene.polygons if label in p.labels))
+    return (*placed, *(box_about(p, label) for p in scene.polygons if label in p.labels))
 
 
 def without(scene: Scene, label: str) -> Scene:

@@ -26,7 +26,7 @@ LEAST_STEPS = 1.5
 #: From a point of the grid it is at most so many steps to the nearest maximum, as level sets fall off.
 _OFF = math.sqrt(0.5)
 #: So many maxima of an area are looked at.
-_MOST = 512
+_MOST = 2048
 #: So many more samples are drawn than are wanted, as some are not valid.
 _SPARE = 40
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.hooks.specs import Outcome, Stage
@@ -13,6 +13,9 @@ from layoutkit.model.evidence import Evidence
 from layoutkit.model.learning import PlacementModel, Spacing
 from layoutkit.model.scene import Placement, Scene
 from layoutkit.scenes.relationship import Relationship
+
+if TYPE_CHECKING:
+    from layoutkit_placement.learning.learner import Fitted
 
 _TOPIC = "placement"
 
@@ -26,7 +29,7 @@ class PlaceOptions:
     model
         What was learned.
     limit
-        How many placements are wanted at most; None: all.
+        How many placements are wanted at most, each of which may be filled with several shapes; None: all.
     threshold
         The least score: an example has about 1.
     spacing
@@ -73,14 +76,16 @@ class Place(Stage):
         start = time.perf_counter()
         with single_threaded():
             fitted = fitted_of(options.model, options.relationships or BUILT_IN)
-            found = fitted.propose(scene, options.limit, options.threshold)
+            every = fitted.propose(scene)
+            found = tuple(own for own in every if (own.score or 0.0) >= options.threshold)[: options.limit]
             speaking = evidence(fitted, scene, found) if options.evidence else None
         if options.spacing is not None:
             found, speaking = _spaced(found, options.spacing, speaking)
         placed = replace(scene, placements=(*scene.placements, *found))
         remarks = [
             *examined(scene.polygons).left_out,
-            *_remarks(options.model, scene, bool(found), fitted.parents),
+            *_remarks(options.model, scene, fitted),
+            *([] if found else [_nothing(options, scene, every, fitted.parents)]),
         ]
         yield Outcome("found", placed, tuple(remarks), time.perf_counter() - start, evidence=speaking)
 
@@ -98,24 +103,46 @@ def _spaced(
     return tuple(one for some in inside for one in some), evidence
 
 
-def _remarks(
-    model: PlacementModel, scene: Scene, found: bool, parents: frozenset[tuple[str, ...]]
-) -> Iterator[Diagnostic]:
-    """Say why nothing was placed, and where units differ."""
+def _remarks(model: PlacementModel, scene: Scene, fitted: Fitted) -> Iterator[Diagnostic]:
+    """Say where units differ, and where an area is too large to be looked at closely."""
+    from layoutkit_placement.learning.areas import Areas
+    from layoutkit_placement.learning.search import is_coarse
+
     if model.units != scene.units:
-        yield Diagnostic(
+        yield _warning(
             "LK874",
-            f"the examples are in {model.units}, the scene in {scene.units}",
-            hint="sizes are taken as they stand: scale one of them if they are to agree",
-            severity=Severity.WARNING,
-            topic=_TOPIC,
+            f"the examples are in {model.units}, the scene {scene.name} in {scene.units}",
+            "sizes are taken as they stand: scale one of them if they are to agree",
         )
-    if found:
-        return
+    for area in Areas.of(scene, fitted.settings.hierarchy).of_labels(fitted.parents):
+        if is_coarse(area, fitted.terms):
+            where = area.polygons[0].name if area.parent else scene.name
+            yield _warning(
+                "LK876",
+                f"{where} is so large for {model.label or 'the shape'} that places in it may be missed",
+                "cut it into smaller polygons, of the same label, or raise the tolerance",
+            )
+
+
+def _nothing(
+    options: PlaceOptions, scene: Scene, every: Sequence[Placement], parents: frozenset[tuple[str, ...]]
+) -> Diagnostic:
+    """Say that nothing was placed, and why."""
+    label = options.model.label if options.model is not None else ""
+    message = f"no place was found for {label or 'the shape'}"
     own = {tuple(sorted(set(polygon.labels))) for polygon in scene.polygons} | {()}
-    hint = "lower the threshold, or raise the tolerance; or give the scene what the examples stand beside"
+    hint = "raise the tolerance, or give the scene what the examples stand beside"
     if parents.isdisjoint(own):
         named = ", ".join(" ".join(labels) for labels in sorted(parents))
         hint = f"the examples stand in {named}, and the scene has none: label alike what is alike"
-    message = f"no place was found for {model.label or 'the shape'}"
-    yield Diagnostic("LK875", message, hint=hint, severity=Severity.WARNING, topic=_TOPIC)
+    elif options.limit == 0:
+        hint = "raise the limit, which is 0"
+    elif every:
+        best = every[0].score or 0.0
+        message += f": the best has a score of {best:.2f}, and {options.threshold:g} is the threshold"
+        hint = "lower the threshold, or raise the tolerance"
+    return _warning("LK875", message, hint)
+
+
+def _warning(code: str, message: str, hint: str) -> Diagnostic:
+    return Diagnostic(code, message, hint=hint, severity=Severity.WARNING, topic=_TOPIC)

@@ -146,6 +146,12 @@ def _setting_faults(settings: PropagationSettings, target: Scene) -> Iterator[Di
         value = getattr(settings, name)
         if not (math.isfinite(value) and value >= least):
             yield _fault(f"{name} is {value:g}", f"it is at least {least:g}")
+    for name, most in _MOST.items():
+        if getattr(settings, name) > most:
+            yield _fault(f"{name} is {getattr(settings, name):g}", f"it is at most {most:g}")
+    for one, other in _APART:
+        if _is_used(settings, one) and _is_used(settings, other):
+            yield _fault(f"{one} and {other} do not go together", f"leave one of them: {one} has no effect")
     for entry in settings.clearances:
         try:
             _, distance = _clearance(entry)
@@ -158,6 +164,25 @@ def _setting_faults(settings: PropagationSettings, target: Scene) -> Iterator[Di
         if label and label not in target.labels:
             hint = did_you_mean(label, target.labels)
             yield _fault(f"{name} is {label}, a label that {target.name} lacks", hint)
+
+
+#: What settings are at most: what is beyond takes more memory than there is.
+_MOST: Mapping[str, float] = {"points": 4e6, "directions": 720, "samples": 100_000}
+#: Settings the first of which would do nothing beside the second.
+_APART = (
+    ("samples", "poses"),
+    ("matches", "array"),
+    ("matches", "carry"),
+    ("mirrored", "carry"),
+    ("samples", "carry"),
+)
+
+
+def _is_used(settings: PropagationSettings, name: str) -> bool:
+    """Tell whether a setting, or the space of poses, is asked for."""
+    if name == "poses":
+        return settings.space == "poses"
+    return settings.carry != "relationships" if name == "carry" else bool(getattr(settings, name))
 
 
 #: What settings are at least.

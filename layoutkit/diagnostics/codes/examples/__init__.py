@@ -54,6 +54,7 @@ UNSHOWN: Mapping[str, str] = {
     "LK007": "a file of that size does not fit a page",
     "LK009": "no page can show a character that XML cannot hold",
     "LK605": "a facade whose arrangements cannot be counted does not fit a page",
+    "LK876": "it takes an area that is very large for its shapes, and some time",
     "LK901": "it is a fault of layoutkit: if an example were known, it would be mended",
     "LK902": "it is a fault of layoutkit: if an example were known, it would be mended",
 }
