@@ -235,10 +235,7 @@ def test_facades_are_upright_and_of_one_scale() -> None:
         boxes = [box_about(p, "") for p in scene.polygons if p.labels == ("Window",)]
         assert np.median([(b.width * b.height) ** 0.5 for b in boxes]) == pytest.approx(WINDOW)
     doors = [
-        box_about(p, "").y / scene.bounds[3]
-        for scene in found
-        for p in scene.polygons
-        if "Door" in p.labels
+        box_about(p, "").y / scene.bounds[3] for scene in found for p in scene.polygons if "Door" in p.labels
     ]
     assert np.median(doors) < 0.2  # they are below: y runs up
 
