@@ -29,7 +29,15 @@ from layoutkit_placement.learning.descriptors import (
 )
 from layoutkit_placement.learning.heat import PointModel
 from layoutkit_placement.learning.kernel import gram, stacked
-from layoutkit_placement.learning.rating import OVERLAP, ShapeModel, apart, crossed, crossed_labels, inside
+from layoutkit_placement.learning.rating import (
+    OVERLAP,
+    ShapeModel,
+    apart,
+    crossed,
+    crossed_labels,
+    grounds,
+    inside,
+)
 from layoutkit_placement.learning.regression import weights
 from layoutkit_placement.learning.samples import SAMPLES, boxes_of, diagonals, sample_points
 from layoutkit_placement.learning.search import candidates
@@ -199,23 +207,15 @@ class Fitted:
         return self.shape_model.values(boxes, area) * self.deformation.factors(boxes)
 
     def _in(self, area: Area) -> list[Placement]:
-        """Return candidates in an area with their scores, less those that stick out of it too far."""
+        """Return candidates in an area with their scores."""
         angles = self._angles(area) if self.settings.aligned else None
         boxes = candidates(area, angles, self.terms, self.point_models, self.deformation)
-        found = [self._placement(box, None) for box in boxes.tolist()]
-        boxes = boxes[inside(found, area) >= self._least_inside - OVERLAP]
         scores = self._scores(boxes, area).tolist()
         return [self._placement(box, score) for box, score in zip(boxes.tolist(), scores, strict=True)]
 
     def _placement(self, box: list[float], score: float | None) -> Placement:
         x, y, width, height, angle = box
         return Placement(x, y, width, height, math.degrees(angle), self.label, score)
-
-    @cached_property
-    def _least_inside(self) -> float:
-        """How much of an example lies at least in the polygon that it stands in."""
-        pairs = zip(self.examples, self.areas, strict=True)
-        return min(float(inside([example.placement], area)[0]) for example, area in pairs)
 
     def _angles(self, area: Area) -> tuple[float, ...]:
         """Return the orientations of shapes in an area: as the examples' are, relative to theirs."""
@@ -224,13 +224,24 @@ class Fitted:
         return tuple(area.angle + float(np.radians(turn)) for turn in turns)
 
     def _allowed(self, placements: list[Placement], areas: Areas) -> list[Placement]:
-        """Return the placements that overlap nothing but what examples overlap."""
+        """Return the placements that lie in what examples lie in, and overlap only what these overlap."""
+        polygons = areas.scene.polygons
+        for label in sorted(self._grounds):
+            own = [polygon for polygon in polygons if label in polygon.labels]
+            shares = inside(placements, own)
+            placements = [p for p, share in zip(placements, shares, strict=True) if share >= 1 - OVERLAP]
         if self.settings.crossing:
             return placements
-        polygons = areas.scene.polygons
         shown = self._crossed
         labels = crossed_labels(placements, polygons)
         return [p for p, crossed in zip(placements, labels, strict=True) if crossed <= shown]
+
+    @cached_property
+    def _grounds(self) -> frozenset[str]:
+        """Labels of what all examples lie in: a room's floor, a facade's wall."""
+        pairs = zip(self.surroundings, self.examples, strict=True)
+        every = [grounds(example.placement, areas.scene.polygons) for areas, example in pairs]
+        return frozenset.intersection(*every)
 
     @cached_property
     def _crossed(self) -> frozenset[str]:

@@ -59,15 +59,25 @@ class ShapeModel:
         return found
 
 
-def inside(placements: Sequence[Placement], area: Area) -> Array:
-    """Return which share of each placement lies in the polygon of an area; 1 where there is none."""
+def inside(placements: Sequence[Placement], polygons: Sequence[Polygon]) -> Array:
+    """Return which share of each placement lies in any of some polygons, shape (placements,)."""
     import shapely
 
-    if not area.parent or not placements:
-        return np.ones(len(placements))
+    if not placements:
+        return np.zeros(0)
     own = shapes(placements)
-    shared: Array = shapely.area(shapely.intersection(own, shapes(area.polygons[:1])[0])) / shapely.area(own)
+    ground = shapely.union_all(shapes(polygons))
+    shared: Array = shapely.area(shapely.intersection(own, ground)) / shapely.area(own)
     return shared
+
+
+def grounds(placement: Placement, polygons: Sequence[Polygon]) -> frozenset[str]:
+    """Return the labels of polygons that a placement lies in with all of it, or nearly."""
+    by_label: dict[str, list[Polygon]] = {}
+    for polygon in crossed(placement, polygons):
+        for label in polygon.labels:
+            by_label.setdefault(label, []).append(polygon)
+    return frozenset(label for label, own in by_label.items() if inside([placement], own)[0] >= 1 - OVERLAP)
 
 
 def apart(placements: Sequence[Placement]) -> list[int]:

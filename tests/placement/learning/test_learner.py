@@ -14,6 +14,7 @@ from layoutkit.model.learning import Example, LearningSettings, Spacing
 from layoutkit.model.scene import Placement, Polygon, Scene
 from layoutkit_placement.learning import Fitted, Learner, examples_of
 from layoutkit_placement.learning.models import fitted_of, model_of
+from layoutkit_placement.learning.rating import OVERLAP, inside
 from layoutkit_placement.learning.spacing import filled
 
 Rectangle = tuple[float, float, float, float]
@@ -198,3 +199,16 @@ def moved_points(
 ) -> tuple[tuple[float, float], ...]:
     cosine, sine = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     return tuple((x * cosine - y * sine + dx, x * sine + y * cosine + dy) for x, y in points)
+
+
+def test_what_stands_on_a_floor_stays_on_floors() -> None:
+    """In a room with a nook no bed reaches across its inner corner, though the whole scene is one area."""
+    floor = Polygon.rectangle("Floor", 0, 0, 5, 4, ("Floor",))
+    beds = tuple(Placement(x, 1.0, 1.6, 2.0, label="Bed") for x in (0.8, 4.2))
+    shown = Scene("shown", "m", (floor,), beds)
+    nook = ((0.0, 0.0), (6.0, 0.0), (6.0, 2.2), (2.2, 2.2), (2.2, 6.0), (0.0, 6.0))
+    asked = Scene("asked", "m", (Polygon("Floor", nook, ("Floor",), angle=0.0),))
+    fitted = Learner(LearningSettings(hierarchy=False)).fit(examples_of([shown], "Bed"))
+    found = fitted.propose(asked)
+    assert found
+    assert min(inside(found, asked.polygons)) >= 1 - OVERLAP
