@@ -30,8 +30,8 @@ import numpy as np
 from layoutkit.model.learning import Example, LearningSettings
 from layoutkit.model.scene import Placement, Polygon, Scene
 from layoutkit.sizing.threads import single_threaded
+from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.learning import Fitted, Learner
-from layoutkit_placement.learning.areas import Area, Areas
 from layoutkit_placement.learning.descriptors import describe
 from layoutkit_placement.learning.heat import Heat
 from layoutkit_placement.learning.maxima import maxima

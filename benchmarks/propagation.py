@@ -24,8 +24,8 @@ from benchmarks.plain_propagation import plain_importance
 from layoutkit.model import Placement, Polygon, Scene
 from layoutkit.scenes.features import Array
 from layoutkit.sizing.threads import single_threaded
+from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.functions import BUILT_IN
-from layoutkit_placement.learning.areas import Area, Areas
 from layoutkit_placement.propagation.bands import importance_on
 from layoutkit_placement.propagation.lattice import Lattice, Patch
 from layoutkit_placement.propagation.matching import Matching

@@ -19,7 +19,7 @@ from layoutkit.model.learning import Example, LearningSettings
 from layoutkit.model.scene import Placement, Scene
 from layoutkit.scenes.features import Indices
 from layoutkit.scenes.relationship import Relationship
-from layoutkit_placement.learning.areas import Area, Areas
+from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.learning.candidates import distinct, free_candidates, upright_candidates
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import DEVIATIONS, FARTHEST

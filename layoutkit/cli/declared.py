@@ -79,8 +79,8 @@ def declared_by_stage(stage: str, parameter: str) -> Callable[[Command], Command
             return command(context=context, **given, **{parameter: cls(**values)})
 
         parameters = list(_parameters(own, parameter, []))
-        called.__signature__ = own.replace(parameters=parameters)  # type: ignore[attr-defined]
-        called.settings_of = stage  # type: ignore[attr-defined]
+        called.__signature__ = own.replace(parameters=parameters)  # type: ignore[attr-defined]  # for typer
+        called.settings_of = stage  # type: ignore[attr-defined]  # which `command_class` goes by
         return called
 
     return decorated
@@ -127,7 +127,7 @@ def _stage_options(context: Any, stage: str) -> list[Any]:
         """Bear the parameters."""
 
     options = [_option(field, types[field.name]) for field in fields(cls)]
-    bearer.__signature__ = inspect.Signature(options)  # type: ignore[attr-defined]
+    bearer.__signature__ = inspect.Signature(options)  # type: ignore[attr-defined]  # for typer
     return list(get_params_convertors_ctx_param_name_from_function(bearer)[0])
 
 

@@ -19,9 +19,18 @@ def geojson_bytes(scene: Scene) -> bytes:
     Rings run counter-clockwise, as it asks for. The format ``geojson`` reads an equal scene of it.
     """
     features = [*map(_polygon, scene.polygons), *map(_placement, scene.placements)]
-    lines = ",\n".join(json.dumps(feature, ensure_ascii=False) for feature in features)
+    lines = ",\n".join(json.dumps(_unsigned(feature), ensure_ascii=False) for feature in features)
     head = json.dumps(_head(scene), ensure_ascii=False)
     return f'{{"type": "FeatureCollection", "{SCENE}": {head}, "features": [\n{lines}\n]}}\n'.encode()
+
+
+def _unsigned(value: Any) -> Any:
+    """Return JSON-ready data whose zeros have no sign: reading does not keep it."""
+    if isinstance(value, dict):
+        return {name: _unsigned(own) for name, own in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_unsigned(own) for own in value]
+    return value + 0.0 if isinstance(value, float) else value
 
 
 def _head(scene: Scene) -> dict[str, Any]:

@@ -53,27 +53,6 @@ class Hierarchy:
         larger = self._areas[other] > shapely.area(own)[one]
         return self._smallest_around(own, one[larger], other[larger])
 
-    def children(self, parent: int) -> Indices:
-        """Return the polygons directly inside one; inside none for -1."""
-        return np.flatnonzero(self.parents == parent)
-
-    def area_of(self, parent: int) -> Indices:
-        """Return a polygon and those directly inside it, which is what things in it are related to."""
-        own = [parent] if parent >= 0 else []
-        return np.concatenate([np.array(own, np.intp), self.children(parent)])
-
-    def parents_at(self, points: Array) -> Indices:
-        """Return the smallest polygon that contains each point, -1 for none; shape (points,)."""
-        import shapely
-
-        found = np.full(len(points), -1, np.intp)
-        if not self.polygons:
-            return found
-        place, polygon = self._tree.query(shapely.points(points), predicate="intersects")
-        order = np.lexsort((-polygon, -self._areas[polygon]))  # the smallest is written last
-        found[place[order]] = polygon[order]
-        return found
-
     @cached_property
     def shapes(self) -> Shapes:
         """The polygons as shapely's."""

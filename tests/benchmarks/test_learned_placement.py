@@ -6,8 +6,8 @@ import numpy as np
 
 from benchmarks.learned_placement import bounded, dense, examples, facade, flower_box, growth
 from layoutkit.model import LearningSettings
+from layoutkit_placement.areas import Areas
 from layoutkit_placement.learning import Learner
-from layoutkit_placement.learning.areas import Areas
 from layoutkit_placement.learning.heat import Heat
 from layoutkit_placement.learning.search import RADIUS, grid_of
 

@@ -9,7 +9,7 @@ import numpy as np
 from layoutkit.model.evidence import Evidence, HeatMap
 from layoutkit.model.scene import Placement, Scene
 from layoutkit.scenes.features import Array, FeatureType
-from layoutkit_placement.learning.areas import Area, Areas
+from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.learning.descriptors import describe
 from layoutkit_placement.learning.grid import Grid, boxes_about, near
 from layoutkit_placement.learning.heat import Heat

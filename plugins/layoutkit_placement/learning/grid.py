@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from layoutkit.scenes.features import Array, Features, Indices
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 
 #: Tiles have so many points on each side.
 TILE = 16

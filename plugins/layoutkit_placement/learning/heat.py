@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layoutkit.scenes.features import Array, Features, Indices
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.learning.descriptors import FeatureSets, Terms, Vocabulary, describe
 from layoutkit_placement.learning.grid import Grid, boxes_about, near
 from layoutkit_placement.learning.kernel import Stacks, kernel, kernel_above

@@ -16,8 +16,8 @@ from layoutkit.model.learning import Example, LearningSettings
 from layoutkit.model.scene import Placement, Scene
 from layoutkit.scenes.features import Array, Labels
 from layoutkit.scenes.relationship import Relationship
+from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.functions import BUILT_IN
-from layoutkit_placement.learning.areas import Area, Areas
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import (
     FeatureSets,

@@ -10,8 +10,8 @@ import numpy as np
 from layoutkit.model.learning import Example, PlacementModel
 from layoutkit.model.scene import Polygon
 from layoutkit.scenes.relationship import Relationship
+from layoutkit_placement.areas import Area
 from layoutkit_placement.functions import BUILT_IN
-from layoutkit_placement.learning.areas import Area
 from layoutkit_placement.learning.grid import boxes_about, near
 from layoutkit_placement.learning.learner import Fitted, Learner
 from layoutkit_placement.learning.rating import crossed

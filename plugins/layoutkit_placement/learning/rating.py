@@ -10,7 +10,7 @@ import numpy as np
 from layoutkit.model.scene import Placement, Polygon
 from layoutkit.scenes.features import Array
 from layoutkit.scenes.shapes import shapes
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.learning.descriptors import Terms, Vocabulary, describe
 from layoutkit_placement.learning.grid import boxes_about, near
 from layoutkit_placement.learning.kernel import Stacks, kernel

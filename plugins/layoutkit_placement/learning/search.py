@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from layoutkit.scenes.features import Array
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.learning.candidates import distinct, free_candidates, upright_candidates
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import Terms

@@ -9,7 +9,7 @@ import numpy as np
 
 from layoutkit.model.scene import Placement
 from layoutkit.scenes.features import Features
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.propagation.coordinates import (
     BoundaryCoordinates,
     Coordinates,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from layoutkit.scenes.features import Array, Indices
 from layoutkit.scenes.shapes import shapes
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 
 #: Blocks have so many points on each side.
 SIDE = 8

@@ -12,7 +12,7 @@ import numpy as np
 from layoutkit.scenes.features import Array, Features, FeatureType, Indices
 from layoutkit.scenes.relationship import Relationship
 from layoutkit.scenes.view import View
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.propagation.importance import matching_accuracy
 from layoutkit_placement.propagation.query import DIRECTIONAL, Key, Query, frames_matter, keys
 from layoutkit_placement.propagation.symmetry import turned_frames

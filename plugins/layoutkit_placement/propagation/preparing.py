@@ -10,8 +10,8 @@ import numpy as np
 
 from layoutkit.model.scene import Placement, Polygon, Scene
 from layoutkit.scenes.relationship import Relationship
-from layoutkit_placement.learning.areas import Area, Areas
-from layoutkit_placement.learning.examples import shapes_of, without
+from layoutkit_placement.areas import Area, Areas
+from layoutkit_placement.examples import shapes_of, without
 from layoutkit_placement.propagation.lattice import Lattice
 from layoutkit_placement.propagation.query import Query
 from layoutkit_placement.propagation.scopes import Scopes

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from layoutkit.diagnostics import Diagnostic
 from layoutkit.model.evidence import Evidence
 from layoutkit.model.scene import Placement
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.propagation import remarks
 from layoutkit_placement.propagation.arrays import CLOSED, array, pairs
 from layoutkit_placement.propagation.carrying import carried_shapes

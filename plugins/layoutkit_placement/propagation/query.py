@@ -14,8 +14,8 @@ from layoutkit.scenes.features import Array, Features, FeatureType, Labels
 from layoutkit.scenes.relationship import Relationship
 from layoutkit.scenes.shapes import shapes
 from layoutkit.scenes.view import View
+from layoutkit_placement.areas import Area
 from layoutkit_placement.functions.directional import BoundaryAngle, CornerAngle, SegmentAngle
-from layoutkit_placement.learning.areas import Area
 from layoutkit_placement.propagation.importance import local_importance
 from layoutkit_placement.propagation.symmetry import mirrored_placement, mirrored_polygon
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from layoutkit.model.scene import Polygon
 from layoutkit.scenes.hierarchy import Hierarchy
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.propagation.choosing import chosen
 
 

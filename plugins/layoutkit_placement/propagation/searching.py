@@ -9,7 +9,7 @@ import numpy as np
 
 from layoutkit.model.scene import Placement
 from layoutkit.scenes.features import Array, Indices
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.propagation.bands import importance_on
 from layoutkit_placement.propagation.choosing import drawn
 from layoutkit_placement.propagation.dense import directions_at

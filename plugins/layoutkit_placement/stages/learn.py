@@ -92,7 +92,7 @@ def _only_label(scenes: Sequence[Scene]) -> str:
 
 
 def _examples(scenes: Sequence[Scene], label: str) -> tuple[Example, ...]:
-    from layoutkit_placement.learning.examples import examples_of
+    from layoutkit_placement.examples import examples_of
 
     found = examples_of(scenes, label)
     if not found:

@@ -105,7 +105,7 @@ def _spaced(
 
 def _remarks(model: PlacementModel, scene: Scene, fitted: Fitted) -> Iterator[Diagnostic]:
     """Say where units differ, and where an area is too large to be looked at closely."""
-    from layoutkit_placement.learning.areas import Areas
+    from layoutkit_placement.areas import Areas
     from layoutkit_placement.learning.search import is_coarse
 
     if model.units != scene.units:

@@ -9,8 +9,8 @@ import pytest
 from placement.learning.learning_drawn import examples, scene
 
 from layoutkit.model.learning import LearningSettings
+from layoutkit_placement.areas import Areas
 from layoutkit_placement.learning import Learner
-from layoutkit_placement.learning.areas import Areas
 from layoutkit_placement.learning.heat import Heat
 from layoutkit_placement.learning.maxima import Maxima, maxima
 from layoutkit_placement.learning.samples import SAMPLES

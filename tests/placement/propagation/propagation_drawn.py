@@ -12,8 +12,8 @@ import numpy as np
 from layoutkit.hooks.specs import Outcome
 from layoutkit.model import Placement, Polygon, Scene
 from layoutkit.scenes.relationship import Relationship
+from layoutkit_placement.areas import Area
 from layoutkit_placement.functions import BUILT_IN
-from layoutkit_placement.learning.areas import Area
 from layoutkit_placement.propagation.query import PAPER, Query
 from layoutkit_placement.propagation.settings import PropagationSettings
 from layoutkit_placement.stages.propagate import Propagate, PropagateOptions

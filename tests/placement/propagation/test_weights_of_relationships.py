@@ -11,7 +11,7 @@ from propagation_drawn import functions, random_area, random_query
 from benchmarks import plain_propagation
 from layoutkit.model import Placement, Polygon
 from layoutkit.scenes.features import Features
-from layoutkit_placement.learning.areas import Area
+from layoutkit_placement.areas import Area
 from layoutkit_placement.propagation.importance import matching_accuracy
 from layoutkit_placement.propagation.query import DIRECTIONAL, Query
 
