@@ -23,6 +23,7 @@ import statistics
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -161,11 +162,9 @@ def bounded(heat: Heat, radius: float, most: int) -> tuple[list[list[int]], int]
     """Return the maxima of all sample points as learning finds them, and how often points were evaluated."""
     found, count = [], 0
     for sample in range(len(heat.models)):
-
-        def own(some: np.ndarray, least: float, sample: int = sample) -> tuple[np.ndarray, np.ndarray]:
-            return heat.above(sample, some, least)
-
-        best = maxima(heat.grid, heat.tile_of, heat.bounds(sample), own, radius, FLOOR, most)
+        best = maxima(
+            heat.grid, heat.tile_of, heat.bounds(sample), partial(heat.exact, sample), radius, FLOOR, most
+        )
         found.append(best.indices.tolist())
         count += best.evaluated
     return found, count

@@ -47,16 +47,23 @@ class Method(Protocol):
 
 @dataclass(frozen=True)
 class Learned:
-    """What layoutkit learns (Guerrero et al. 2015)."""
+    """What layoutkit learns (Guerrero et al. 2015).
 
-    name: ClassVar[str] = "learned"
+    Attributes
+    ----------
+    contrast
+        Whether boxes beside examples are learned as wrong places; the paper's regression sees examples alone.
+    """
+
+    name: str
+    contrast: bool
     most: ClassVar[int] = 5
 
     def fit(self, examples: Sequence[Example], settings: LearningSettings) -> Fitted:
         """Learn from examples."""
         from layoutkit_placement.learning import Learner
 
-        return Learner(settings).fit(examples)
+        return Learner(replace(settings, contrast=self.contrast)).fit(examples)
 
 
 @dataclass(frozen=True)
@@ -141,7 +148,8 @@ def _of_the_paper() -> tuple[Relationship, ...]:
 METHODS: Mapping[str, Method] = {
     each.name: each
     for each in (
-        Learned(),
+        Learned("learned", contrast=True),
+        Learned("no contrast", contrast=False),
         Baseline("closest", Closest(), _of_the_paper(), 1.5, 0.5),
         Baseline("histogram", Histograms(), _of_the_paper(), 2.5, 0.5),
         Baseline("gaussian", Gaussian(), (CentroidOffset(),), 4.0, 0.1),

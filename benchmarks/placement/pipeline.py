@@ -24,7 +24,8 @@ from layoutkit_placement.learning.candidates import distinct, free_candidates, u
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import DEVIATIONS, FARTHEST
 from layoutkit_placement.learning.grid import Grid, boxes_about, near
-from layoutkit_placement.learning.rating import apart, crossed_labels
+from layoutkit_placement.learning.limits import Limits
+from layoutkit_placement.learning.rating import apart
 from layoutkit_placement.learning.regression import weights
 from layoutkit_placement.learning.samples import SAMPLES, boxes_of, diagonals, sample_points
 from layoutkit_placement.learning.search import BOXES, MARGIN, RADIUS, STEP, most_maxima
@@ -83,8 +84,7 @@ class Pooled:
             for area in areas.of_labels(frozenset(own.labels for own in self._areas))
             for placement in self._in(area)
         ]
-        crossed = crossed_labels(found, scene.polygons)
-        allowed = [p for p, labels in zip(found, crossed, strict=True) if labels <= self._crossed]
+        allowed = self._limits.kept(found, scene.polygons)
         return tuple(sorted((allowed[index] for index in apart(allowed)), key=lambda p: -(p.score or 0.0)))
 
     @cached_property
@@ -143,9 +143,8 @@ class Pooled:
         return Deformation.of(self._boxes, self.settings.shape_tolerance, self.settings.area_tolerance)
 
     @cached_property
-    def _crossed(self) -> frozenset[str]:
-        found = (crossed_labels([e.placement], e.scene.polygons)[0] for e in self.examples)
-        return frozenset().union(*found)
+    def _limits(self) -> Limits:
+        return Limits.of(self.examples, self.settings.crossing)
 
     def _in(self, area: Area) -> list[Placement]:
         """Return all candidates in an area with their scores."""

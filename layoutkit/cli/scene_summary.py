@@ -62,11 +62,10 @@ def model_data(model: PlacementModel) -> dict[str, Any]:
         "examples": [
             {
                 "scene": example.scene.name,
-                "weight": weight,
                 "polygons": len(example.scene.polygons),
                 "placement": _placement(example.placement),
             }
-            for example, weight in zip(model.examples, model.weights, strict=True)
+            for example in model.examples
         ],
     }
 
@@ -78,9 +77,9 @@ def model_lines(model: PlacementModel) -> Iterator[str]:
     yield f"placement model {model.name}: {some} of {model.label}, {model.units}"
     for name, value in asdict(model.settings).items():
         yield f"{name.replace('_', '-')} {_shown(value)}"
-    for example, weight in zip(model.examples, model.weights, strict=True):
+    for example in model.examples:
         where = f" in {example.scene.name}" if example.scene.name else ""
-        yield f"{_placement_line(example.placement)}{where}, {counts(example.scene)}, weight {weight:.6g}"
+        yield f"{_placement_line(example.placement)}{where}, {counts(example.scene)}"
 
 
 def _parents(scene: Scene) -> Sequence[int]:

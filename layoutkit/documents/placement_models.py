@@ -63,10 +63,8 @@ def read_placement_model(document: Path | str | Source) -> PlacementModelDocumen
     if reading.diagnostics.erroneous:
         raise Faulty(reading.ordered())
     settings = {setting.field_name: values[setting.name] for setting in SETTINGS if setting.name in values}
-    examples, weights = zip(*found, strict=True)
-    model = PlacementModel(
-        values["name"], values["units"], values["label"], examples, weights, LearningSettings(**settings)
-    )
+    learning = LearningSettings(**settings)
+    model = PlacementModel(values["name"], values["units"], values["label"], tuple(found), learning)
     return PlacementModelDocument(model, reading.ordered())
 
 
@@ -76,10 +74,8 @@ def model_fields(model: PlacementModel) -> dict[str, Any]:
     return {"name": model.name, "units": model.units, "label": model.label, **settings}
 
 
-def _examples(
-    root: Element, units: Units, label: str | None, reading: Reading
-) -> Iterator[tuple[Example, float]]:
-    """Yield the examples that could be read, each with its weight."""
+def _examples(root: Element, units: Units, label: str | None, reading: Reading) -> Iterator[Example]:
+    """Yield the examples that could be read."""
     for child in root.children:
         if reading.name_of(child, root, (EXAMPLE.name,)) is None:
             continue
@@ -97,6 +93,5 @@ def _examples(
                     Diagnostic("LK105", message, placement.place, f'write label="{label}"', topic="schema")
                 )
             scene = Scene(values.get("name") or "", units, polygons)
-            weight = values.get("weight")
-            if len(found.placements) == 1 and weight is not None:
-                yield Example(scene, placement), weight
+            if len(found.placements) == 1:
+                yield Example(scene, placement)

@@ -101,5 +101,4 @@ EXAMPLE = element_type(
     "example",
     "A placement that was shown, and the polygons about it, without others of its kind.",
     optional("name", TEXT, "What its scene is called.", ""),
-    required("weight", NUMBER, "How much likeness to it counts."),
 )

@@ -144,9 +144,9 @@ def placement_model_bytes(model: PlacementModel) -> bytes:
     """
     head = _element(PLACEMENT_MODEL, model_fields(model))
     lines = [head.replace(PLACEMENT_MODEL.name, f'<{PLACEMENT_MODEL.name} xmlns="{NAMESPACE}"', 1) + ">"]
-    for example, weight in zip(model.examples, model.weights, strict=True):
+    for example in model.examples:
         scene = example.scene.settled()
-        lines.append(f"{INDENT}<{_element(EXAMPLE, {'name': scene.name, 'weight': weight})}>")
+        lines.append(f"{INDENT}<{_element(EXAMPLE, {'name': scene.name})}>")
         lines.append(f"{INDENT * 2}<{_element(PLACEMENT, placement_fields(example.placement))}/>")
         for polygon in scene.polygons:
             lines += _polygon_lines(polygon, INDENT * 2)

@@ -63,6 +63,11 @@ class LearningSettings:
     area_tolerance: float = _setting(
         0.7, "Standard deviation of the logarithm of the area; 0: any size will do."
     )
+    contrast: bool = _setting(
+        True,
+        "Whether boxes a little beside each example are learned as wrong places. The paper's regression, of "
+        "examples alone, tells places apart less well.",
+    )
     overlapping: bool = _setting(False, "Whether shapes that are placed may overlap each other.")
     crossing: bool = _setting(
         False, "Whether shapes may overlap polygons of labels that no example overlaps."
@@ -99,13 +104,10 @@ class PlacementModel:
         What is placed.
     examples
         What it was learned from, each scene no more than what counts.
-    weights
-        How much the similarity to each example counts (the paper's adjusted target values).
     """
 
     name: str
     units: Units
     label: str
     examples: tuple[Example, ...]
-    weights: tuple[float, ...]
     settings: LearningSettings = LearningSettings()

@@ -37,7 +37,7 @@ VALUES: dict[type, st.SearchStrategy[Any]] = {
 SETTINGS = st.builds(LearningSettings, **{f.name: VALUES[type(f.default)] for f in fields(LearningSettings)})
 HEAD = '<placement-model xmlns="urn:layoutkit:1" name="sills" units="px" label="Sill"'
 EXAMPLE = (
-    '<example name="e" weight="0.5"><placement x="0" y="0" width="2" height="1" label="Sill"/>'
+    '<example name="e"><placement x="0" y="0" width="2" height="1" label="Sill"/>'
     '<polygon name="w" points="0,0 1,0 1,1" labels="Window"/></example>'
 )
 
@@ -49,8 +49,7 @@ def models(draw: st.DrawFn) -> PlacementModel:
     for _ in range(draw(st.integers(1, 3))):
         scene = replace(draw(scenes()), units=units, picture=None, placements=())
         examples.append(Example(scene, replace(draw(PLACEMENTS), label="Sill")))
-    weights = tuple(draw(st.floats(-10, 10)) for _ in examples)
-    return PlacementModel(draw(TEXT), units, "Sill", tuple(examples), weights, draw(SETTINGS))
+    return PlacementModel(draw(TEXT), units, "Sill", tuple(examples), draw(SETTINGS))
 
 
 @given(models())
@@ -72,7 +71,7 @@ def test_every_setting_is_an_attribute_with_its_help() -> None:
 
 def test_placements_of_an_examples_scene_become_polygons() -> None:
     scene = Scene("s", "m", (Polygon("a", ((0, 0), (1, 0), (1, 1))),), (Placement(1, 1, 2, 1, label="Sill"),))
-    model = PlacementModel("m", "m", "Sill", (Example(scene, scene.placements[0]),), (1.0,))
+    model = PlacementModel("m", "m", "Sill", (Example(scene, scene.placements[0]),))
     read = read_placement_model(Source("m.xml", placement_model_bytes(model))).model
     assert read.examples[0].scene == scene.settled()
 
@@ -81,10 +80,9 @@ def test_placements_of_an_examples_scene_become_polygons() -> None:
     ("text", "expected"),
     [
         (f"{HEAD}>\n</placement-model>", ["LK107 1"]),
-        (f"{HEAD}>\n<example weight='1'/></placement-model>", ["LK107 2"]),
+        (f"{HEAD}>\n<example/></placement-model>", ["LK107 2"]),
         (f"{HEAD}>\n{EXAMPLE.replace('Sill', 'Door')}</placement-model>", ["LK105 2"]),
-        (f"{HEAD}>\n{EXAMPLE.replace(' weight=', ' wait=')}</placement-model>", ["LK103 2"]),
-        (f"{HEAD}>\n{EXAMPLE.replace('0.5', 'much')}</placement-model>", ["LK105 2"]),
+        (f"{HEAD}>\n{EXAMPLE.replace(' name=', ' nama=', 1)}</placement-model>", ["LK103 2"]),
         (f"{HEAD}>\n{EXAMPLE.replace('0,0 1,0 1,1', '0,0 1,0')}</placement-model>", ["LK851 2"]),
         (f"{HEAD}>\n<polygon points='0,0 1,0 1,1'/></placement-model>", ["LK108 2"]),
         (f"{HEAD} reach='-1'>\n{EXAMPLE}</placement-model>", ["LK105 1"]),

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from layoutkit.scenes.features import Array, Features, FeatureType, Indices, Labels
 from layoutkit.scenes.relationship import FEATURE_TYPES, Quantity, Relationship
@@ -17,6 +18,8 @@ from layoutkit.scenes.view import View
 
 #: Numbers for the labels that features of examples have; features of other labels are like none of these.
 Vocabulary = Mapping[Labels, int]
+
+Single = NDArray[np.float32]
 
 #: Standard deviations at tolerance 1: of lengths as a share of the examples' mean diagonal, of shares, and of
 #: angles in radians. The paper leaves them open; found by cross-validation (see docs/explanation.md).
@@ -104,7 +107,7 @@ def _deviation(relationship: Relationship, size: float, tolerance: float) -> flo
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """The tuples of features of one type.
+    """The tuples of features of one type, in single precision: most of the time of learning is spent on them.
 
     Attributes
     ----------
@@ -118,8 +121,8 @@ class Group:
         Which features they are, shape (features,).
     """
 
-    values: Array
-    importance: Array
+    values: Single
+    importance: Single
     codes: Indices
     members: Indices
 
@@ -132,9 +135,8 @@ class Group:
         """Return the tuples of some of the shapes, less the features that count for none of them."""
         importance = self.importance[chosen]
         kept = np.flatnonzero(importance.any(axis=(0, 1)))
-        return Group(
-            self.values[chosen][:, :, kept], importance[:, :, kept], self.codes[kept], self.members[kept]
-        )
+        values = self.values[chosen[:, None], :, kept].swapaxes(1, 2)
+        return Group(values, importance[:, :, kept], self.codes[kept], self.members[kept])
 
 
 #: What describes some shapes in one area: their tuples by the type of features.
@@ -168,8 +170,8 @@ def describe(points: Array, features: Features, terms: Terms, words: Vocabulary)
         near = np.flatnonzero((codes >= 0) & (importance > 0).any(axis=0))
         values = tuples(view, relationships, terms.deviations[of])[:, near]
         found[of] = Group(
-            values.reshape(count, samples, len(near), values.shape[2]),
-            importance[:, near].reshape(count, samples, len(near)),
+            values.reshape(count, samples, len(near), values.shape[2]).astype(np.float32),
+            importance[:, near].reshape(count, samples, len(near)).astype(np.float32),
             codes[near],
             near,
         )

@@ -13,7 +13,7 @@ from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.learning.descriptors import describe
 from layoutkit_placement.learning.grid import Grid, boxes_about, near
 from layoutkit_placement.learning.heat import Heat
-from layoutkit_placement.learning.kernel import assignments, similarities
+from layoutkit_placement.learning.kernel import taken
 from layoutkit_placement.learning.learner import Fitted
 from layoutkit_placement.learning.samples import NAMES, SAMPLES, boxes_of, sample_points
 from layoutkit_placement.learning.search import grid_of
@@ -77,16 +77,15 @@ def _contributions(fitted: Fitted, placement: Placement, area: Area) -> Mapping[
     factor = float(fitted.deformation.factors(boxes)[0])
     found: dict[str, float] = {each.name: 0.0 for some in terms.relationships.values() for each in some}
     for of, stack in model.examples.items():
-        if (group := queries.get(of)) is None or not len(group.codes):
+        if (group := queries.get(of)) is None:
             continue
-        rows, columns = assignments(similarities(stack, group, np.zeros(1, np.intp))[0], stack.first)
-        kept = stack.codes[rows] == group.codes[columns]
-        rows, columns = rows[kept], columns[kept]
-        alike = np.exp(-0.5 * (stack.values[:, rows] - group.values[0][:, columns]) ** 2)
-        weight = stack.importance[:, rows] * group.importance[0][:, columns]
-        weight = weight * np.repeat(model.weights, np.diff(stack.first))[rows]
-        for name, amount in _shares(fitted, of, np.einsum("spv,sp->v", alike, weight)).items():
-            found[name] += factor * amount
+        for block, columns in taken(stack, group, np.zeros(1, np.intp)):
+            rows, columns = block.rows[columns[0] >= 0], columns[columns >= 0]
+            alike = np.exp(-0.5 * (stack.values[:, rows] - group.values[0][:, columns]) ** 2)
+            weight = stack.importance[:, rows] * group.importance[0][:, columns]
+            weight = weight * model.weights[stack.owners[rows]]
+            for name, amount in _shares(fitted, of, np.einsum("spv,sp->v", alike, weight)).items():
+                found[name] += factor * amount
     return found
 
 

@@ -10,13 +10,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from layoutkit.scenes.features import Array, Features, Indices
 from layoutkit_placement.areas import Area
 from layoutkit_placement.learning.descriptors import FeatureSets, Terms, Vocabulary, describe
 from layoutkit_placement.learning.grid import Grid, boxes_about, near
-from layoutkit_placement.learning.kernel import Stacks, kernel, kernel_above
+from layoutkit_placement.learning.kernel import Stacks, kernel
 from layoutkit_placement.learning.tables import Tables, bounds, tables
 
 
@@ -41,10 +40,6 @@ class PointModel:
     def values(self, queries: FeatureSets, count: int) -> Array:
         """Return how well some points agree with all examples, shape (count,)."""
         return kernel(self.examples, len(self.weights), queries, count) @ self.weights
-
-    def values_above(self, queries: FeatureSets, count: int, least: float) -> tuple[Array, NDArray[np.bool_]]:
-        """Return the values of some points, those that may reach `least` exactly, others from above."""
-        return kernel_above(self.examples, self.weights, queries, count, least)
 
     @cached_property
     def tables(self) -> Tables:
@@ -88,26 +83,19 @@ class Heat:
 
     def exact(self, sample: int, indices: Indices) -> Array:
         """Return the values of one sample point at some points of the grid."""
-        return self.above(sample, indices, 0.0)[0]
-
-    def above(self, sample: int, indices: Indices, least: float) -> tuple[Array, NDArray[np.bool_]]:
-        """Return the values of one sample point, exactly where they may reach `least`, and where that is."""
-        found, known = np.empty(len(indices)), np.empty(len(indices), bool)
+        found = np.empty(len(indices))
         numbers = self.tile_of[indices]
         for number in np.unique(numbers):
             chosen = np.flatnonzero(numbers == number)
             places = self._place[indices[chosen]]
             sets = {of: group.shapes(places) for of, group in self._sets[number].items()}
-            found[chosen], known[chosen] = self.models[sample].values_above(sets, len(chosen), least)
-        return found, known
+            found[chosen] = self.models[sample].values(sets, len(chosen))
+        return found
 
-    def seen_from(self, indices: Indices) -> tuple[list[FeatureSets], Features]:
-        """Return the feature sets of each of some points of one tile, and the features these are of."""
+    def seen_from(self, indices: Indices) -> tuple[FeatureSets, Features]:
+        """Return the feature sets of some points of one tile, and the features these are of."""
         number = self.tile_of[indices[0]]
-        sets: list[FeatureSets] = [
-            {of: group.shapes(self._place[[index]]) for of, group in self._sets[number].items()}
-            for index in indices
-        ]
+        sets = {of: group.shapes(self._place[indices]) for of, group in self._sets[number].items()}
         return sets, self._features[number]
 
     def bounds(self, sample: int) -> Array:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -18,6 +18,7 @@ from layoutkit.scenes.features import Array, Labels
 from layoutkit.scenes.relationship import Relationship
 from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.functions import BUILT_IN
+from layoutkit_placement.learning.contrast import counterexamples
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import (
     FeatureSets,
@@ -29,15 +30,8 @@ from layoutkit_placement.learning.descriptors import (
 )
 from layoutkit_placement.learning.heat import PointModel
 from layoutkit_placement.learning.kernel import gram, stacked
-from layoutkit_placement.learning.rating import (
-    OVERLAP,
-    ShapeModel,
-    apart,
-    crossed,
-    crossed_labels,
-    grounds,
-    inside,
-)
+from layoutkit_placement.learning.limits import Limits
+from layoutkit_placement.learning.rating import ShapeModel, apart
 from layoutkit_placement.learning.regression import weights
 from layoutkit_placement.learning.samples import SAMPLES, boxes_of, diagonals, sample_points
 from layoutkit_placement.learning.search import candidates
@@ -124,13 +118,21 @@ class Fitted:
     @cached_property
     def shape_model(self) -> ShapeModel:
         """What was learned of whole placements."""
-        return ShapeModel(stacked(self._sets), self._weights(self._sets), self._words, self.terms)
+        if not self.settings.contrast:
+            found = weights(gram(self._sets), self._targets, self.settings.regularisation)
+            return ShapeModel(stacked(self._sets), found, self._words, self.terms)
+        sets = [*self._sets, *self._contrasting]
+        alike, count = gram(sets), len(self._sets)
+        targets = np.concatenate([self._targets, np.zeros(len(sets) - count)])
+        found = weights(alike, targets, self.settings.regularisation)
+        return ShapeModel(stacked(sets), _met(found, alike[:count], self._targets), self._words, self.terms)
 
     @cached_property
     def point_models(self) -> tuple[PointModel, ...]:
         """What was learned of each sample point."""
         own = [[_sampled(sets, index) for sets in self._sets] for index in range(SAMPLES)]
-        return tuple(PointModel(stacked(sets), self._weights(sets), self._words) for sets in own)
+        pairs = ((sets, weights(gram(sets), self._targets, self.settings.regularisation)) for sets in own)
+        return tuple(PointModel(stacked(sets), found, self._words) for sets, found in pairs)
 
     def propose(
         self, scene: Scene, limit: int | None = None, threshold: float = 0.0
@@ -151,7 +153,7 @@ class Fitted:
         for area in areas.of_labels(self.parents):
             found += self._in(area)
         kept = [placement for placement in found if (placement.score or 0.0) >= threshold]
-        kept = self._allowed(kept, areas)
+        kept = self._limits.kept(kept, areas.scene.polygons)
         if not self.settings.overlapping:
             kept = [kept[index] for index in apart(kept)]
         kept.sort(key=lambda placement: -(placement.score or 0.0))
@@ -189,19 +191,36 @@ class Fitted:
 
     @cached_property
     def _sets(self) -> list[FeatureSets]:
-        points = sample_points(self.boxes)
-        pairs = zip(points, self.areas, strict=True)
-        every = (describe(own[None], area.features, self.terms, self._words) for own, area in pairs)
-        return [nearest(sets, self.settings.nearest) for sets in every]
+        return [self._described(box, area) for box, area in zip(self.boxes, self.areas, strict=True)]
+
+    @property
+    def _contrasting(self) -> list[FeatureSets]:
+        """What describes boxes where nothing should stand."""
+        pairs = zip(self.counterexamples, self.areas, strict=True)
+        return [self._described(box, area) for boxes, area in pairs for box in boxes]
+
+    @cached_property
+    def counterexamples(self) -> list[Array]:
+        """Boxes about each example that are told apart from it."""
+        scenes = np.array([id(example.scene) for example in self.examples])
+        every = np.arange(len(scenes))
+        return [
+            counterexamples(self.boxes[own], self.boxes[(scenes == scenes[own]) & (every != own)])
+            for own in every
+        ]
+
+    def _described(self, box: Array, area: Area) -> FeatureSets:
+        sets = describe(sample_points(box[None]), area.features, self.terms, self._words)
+        return nearest(sets, self.settings.nearest)
 
     @cached_property
     def _words(self) -> Vocabulary:
         return vocabulary([area.features for area in self.areas])
 
-    def _weights(self, sets: Sequence[FeatureSets]) -> Array:
+    @property
+    def _targets(self) -> Array:
         scores = [example.placement.score for example in self.examples]
-        targets = np.array([1.0 if score is None else score for score in scores])
-        return weights(gram(sets), targets, self.settings.regularisation)
+        return np.array([1.0 if score is None else score for score in scores])
 
     def _scores(self, boxes: Array, area: Area) -> Array:
         return self.shape_model.values(boxes, area) * self.deformation.factors(boxes)
@@ -223,33 +242,20 @@ class Fitted:
         turns = dict.fromkeys(round(float(np.degrees(angle)) % 360, 3) % 360 for angle in own)
         return tuple(area.angle + float(np.radians(turn)) for turn in turns)
 
-    def _allowed(self, placements: list[Placement], areas: Areas) -> list[Placement]:
-        """Return the placements that lie in what examples lie in, and overlap only what these overlap."""
-        polygons = areas.scene.polygons
-        for label in sorted(self._grounds):
-            own = [polygon for polygon in polygons if label in polygon.labels]
-            shares = inside(placements, own)
-            placements = [p for p, share in zip(placements, shares, strict=True) if share >= 1 - OVERLAP]
-        if self.settings.crossing:
-            return placements
-        shown = self._crossed
-        labels = crossed_labels(placements, polygons)
-        return [p for p, crossed in zip(placements, labels, strict=True) if crossed <= shown]
-
     @cached_property
-    def _grounds(self) -> frozenset[str]:
-        """Labels of what all examples lie in: a room's floor, a facade's wall."""
-        pairs = zip(self.surroundings, self.examples, strict=True)
-        every = [grounds(example.placement, areas.scene.polygons) for areas, example in pairs]
-        return frozenset.intersection(*every)
+    def _limits(self) -> Limits:
+        pairs = zip(self.examples, self.surroundings, strict=True)
+        sound = [replace(example, scene=areas.scene) for example, areas in pairs]
+        return Limits.of(sound, self.settings.crossing)
 
-    @cached_property
-    def _crossed(self) -> frozenset[str]:
-        found: frozenset[str] = frozenset()
-        for areas, example in zip(self.surroundings, self.examples, strict=True):
-            polygons = crossed(example.placement, areas.scene.polygons)
-            found |= {label for polygon in polygons for label in polygon.labels}
-        return found
+
+def _met(found: Array, alike: Array, targets: Array) -> Array:
+    """Return weights scaled so that examples have their target values in the mean.
+
+    The ridge draws all values towards 0, and the farther, the more alike what is told apart is.
+    """
+    reached = float((alike @ found).sum())
+    return found * (float(targets.sum()) / reached) if reached > 0 else found
 
 
 def _sampled(sets: FeatureSets, index: int) -> FeatureSets:

@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from layoutkit.scenes.features import Array, Indices
 from layoutkit_placement.learning.grid import Grid
 
-#: Takes points and a least value; returns values, and which of them are exact. Others are no greater than
-#: what is returned, which is less than the least value.
-Evaluate = Callable[[Indices, float], tuple[Array, NDArray[np.bool_]]]
+#: Takes points and returns their values.
+Evaluate = Callable[[Indices], Array]
 
 #: So many points are evaluated at once, at most.
 BATCH = 32
@@ -83,7 +82,7 @@ def maxima(
             least = max(heights[0] * floor if heights else 0.0, float(values[known].max(initial=0.0)))
             wanted = max(heights[0] * floor if heights else 0.0, AHEAD * least)
             batch = _candidates(values, known, wanted, np.flatnonzero(tiles == tiles[top]))
-            values[batch], known[batch] = evaluate(batch, least)
+            values[batch], known[batch] = evaluate(batch), True
             count += len(batch)
             continue
         indices.append(top)

@@ -8,25 +8,18 @@ from dataclasses import replace
 import numpy as np
 
 from layoutkit.model.learning import Example, PlacementModel
-from layoutkit.model.scene import Polygon
 from layoutkit.scenes.relationship import Relationship
-from layoutkit_placement.areas import Area
 from layoutkit_placement.functions import BUILT_IN
 from layoutkit_placement.learning.grid import boxes_about, near
 from layoutkit_placement.learning.learner import Fitted, Learner
-from layoutkit_placement.learning.rating import crossed
-from layoutkit_placement.learning.samples import boxes_of, sample_points
+from layoutkit_placement.learning.limits import crossed
+from layoutkit_placement.learning.samples import sample_points
 
 
 def model_of(fitted: Fitted, name: str) -> PlacementModel:
     """Return what a document holds of what was learned."""
-    found = zip(fitted.examples, fitted.areas, fitted.surroundings, strict=True)
-    examples = tuple(
-        _trimmed(example, area, areas.scene.polygons, fitted.terms.farthest) for example, area, areas in found
-    )
-    units = examples[0].scene.units
-    weights = tuple(fitted.shape_model.weights.tolist())
-    return PlacementModel(name, units, fitted.label, examples, weights, fitted.settings)
+    examples = tuple(_trimmed(fitted, number) for number in range(len(fitted.examples)))
+    return PlacementModel(name, examples[0].scene.units, fitted.label, examples, fitted.settings)
 
 
 def fitted_of(model: PlacementModel, known: Sequence[Relationship] = BUILT_IN) -> Fitted:
@@ -40,13 +33,20 @@ def fitted_of(model: PlacementModel, known: Sequence[Relationship] = BUILT_IN) -
     return Learner(model.settings, tuple(known)).fit(model.examples)
 
 
-def _trimmed(example: Example, area: Area, polygons: tuple[Polygon, ...], farthest: float) -> Example:
+def _trimmed(fitted: Fitted, number: int) -> Example:
     """Return an example with the polygon that it stands in, what counts there, and what it overlaps."""
-    placement = example.placement
-    points = sample_points(boxes_of([placement]))[0]
-    close = near(boxes_about(area.features), points, farthest) if area.polygons else np.zeros(0, np.intp)
-    kept = {area.polygons[index].name for index in close} | {p.name for p in crossed(placement, polygons)}
+    example, area = fitted.examples[number], fitted.areas[number]
+    polygons = fitted.surroundings[number].scene.polygons
+    boxes = np.concatenate([fitted.boxes[number][None], fitted.counterexamples[number]])
+    points = sample_points(boxes).reshape(-1, 2)
+    close = (
+        near(boxes_about(area.features), points, fitted.terms.farthest)
+        if area.polygons
+        else np.zeros(0, np.intp)
+    )
+    kept = {area.polygons[index].name for index in close}
+    kept |= {polygon.name for polygon in crossed(example.placement, polygons)}
     if area.parent:
         kept.add(area.polygons[0].name)
     some = tuple(polygon for polygon in polygons if polygon.name in kept)
-    return Example(replace(example.scene, polygons=some, placements=(), picture=None), placement)
+    return Example(replace(example.scene, polygons=some, placements=(), picture=None), example.placement)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from layoutkit.model.scene import Placement, Polygon
+from layoutkit.model.scene import Placement
 from layoutkit.scenes.features import Array
 from layoutkit.scenes.shapes import shapes
 from layoutkit_placement.areas import Area
@@ -17,10 +17,7 @@ from layoutkit_placement.learning.kernel import Stacks, kernel
 from layoutkit_placement.learning.samples import Boxes, sample_points
 
 #: So many boxes are described at once: those next to each other see the same features.
-_TOGETHER = 8
-#: From this share of the smaller one's area on, a shape overlaps what stands there, and sticks out of what it
-#: stands in: what is measured off a photo does not keep to lines.
-OVERLAP = 0.15
+_TOGETHER = 24
 #: From this share on, two shapes that are placed overlap each other.
 APART = 0.02
 
@@ -59,27 +56,6 @@ class ShapeModel:
         return found
 
 
-def inside(placements: Sequence[Placement], polygons: Sequence[Polygon]) -> Array:
-    """Return which share of each placement lies in any of some polygons, shape (placements,)."""
-    import shapely
-
-    if not placements:
-        return np.zeros(0)
-    own = shapes(placements)
-    ground = shapely.union_all(shapes(polygons))
-    shared: Array = shapely.area(shapely.intersection(own, ground)) / shapely.area(own)
-    return shared
-
-
-def grounds(placement: Placement, polygons: Sequence[Polygon]) -> frozenset[str]:
-    """Return the labels of polygons that a placement lies in with all of it, or nearly."""
-    by_label: dict[str, list[Polygon]] = {}
-    for polygon in crossed(placement, polygons):
-        for label in polygon.labels:
-            by_label.setdefault(label, []).append(polygon)
-    return frozenset(label for label, own in by_label.items() if inside([placement], own)[0] >= 1 - OVERLAP)
-
-
 def apart(placements: Sequence[Placement]) -> list[int]:
     """Return which placements to keep, best first, where none may overlap a better one."""
     import shapely
@@ -98,28 +74,3 @@ def apart(placements: Sequence[Placement]) -> list[int]:
         shared = shapely.area(shapely.intersection(own[index], own[others]))
         gone.update(others[shared > APART * np.minimum(areas[index], areas[others])].tolist())
     return kept
-
-
-def crossed(placement: Placement, polygons: Sequence[Polygon]) -> tuple[Polygon, ...]:
-    """Return the polygons that a placement overlaps."""
-    return tuple(polygons[other] for _, other in _crossing([placement], polygons))
-
-
-def crossed_labels(placements: Sequence[Placement], polygons: Sequence[Polygon]) -> list[frozenset[str]]:
-    """Return for each placement the labels of the polygons that it overlaps."""
-    found: list[set[str]] = [set() for _ in placements]
-    for index, polygon in _crossing(placements, polygons):
-        found[index].update(polygons[polygon].labels)
-    return [frozenset(each) for each in found]
-
-
-def _crossing(placements: Sequence[Placement], polygons: Sequence[Polygon]) -> Iterator[tuple[int, int]]:
-    """Yield pairs of a placement and a polygon that overlap."""
-    import shapely
-
-    own, others = shapes(placements), shapes(polygons)
-    if len(own) and len(others):
-        one, other = shapely.STRtree(others).query(own, predicate="intersects")
-        shared = shapely.area(shapely.intersection(own[one], others[other]))
-        far = shared > OVERLAP * np.minimum(shapely.area(own)[one], shapely.area(others)[other])
-        yield from zip(one[far].tolist(), other[far].tolist(), strict=True)

@@ -6,7 +6,8 @@ Gaussians, which is cheap to evaluate on a fine grid about the maximum.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from layoutkit.scenes.features import Array, Features, FeatureType, Indices
 from layoutkit.scenes.view import View
 from layoutkit_placement.learning.descriptors import FeatureSets, Terms, distances, tuples
 from layoutkit_placement.learning.heat import PointModel
-from layoutkit_placement.learning.kernel import assignments, similarities
+from layoutkit_placement.learning.kernel import HALF, Block, taken
 
 #: Ever finer grids about the best point so far: how far each reaches, in steps of the coarse one, and what
 #: deviations are divided by. Sharper Gaussians come nearer to what they stand for: how many values agree.
@@ -22,16 +23,53 @@ LEVELS = ((0.6, 1.0), (0.2, 2.5))
 #: Points on each side of such a grid.
 FINE = 5
 
-#: Features of the examples, by their numbers in the stack, and those that are taken for them.
-Taken = tuple[Indices, Indices]
+
+@dataclass(frozen=True, slots=True)
+class _Taken:
+    """What is taken for the tuples of a block, about some of the maxima.
+
+    Attributes
+    ----------
+    maxima
+        Of one sample point, shape (maxima,).
+    members
+        The feature that is taken for each row of the block, any where there is none, shape (maxima, rows).
+    weights
+        How much its likeness counts, 0 where there is none, shape (maxima, rows).
+    """
+
+    block: Block
+    maxima: Indices
+    members: Indices
+    weights: Array
+
+    def values(self, seen: Array, importance: Array, sharpness: float) -> Array:
+        """Return how well points about the maxima agree, shape (maxima, points).
+
+        Parameters
+        ----------
+        seen, importance
+            Of all features, about all maxima, shapes (maxima, points, features, values) and (maxima, points,
+            features).
+        """
+        rows = np.arange(len(self.maxima))[:, None]
+        # Indexed on both sides of the points' axis: that goes last.
+        gap = seen[self.maxima[rows], :, self.members].astype(np.float32) * HALF
+        gap -= self.block.values[0][:, None]
+        gap *= np.float32(sharpness)
+        alike = np.exp(-(gap * gap)).sum(axis=3)
+        counts = importance[self.maxima[rows], :, self.members]
+        found: Array = np.einsum("mrp,mrp,mr->mp", alike, counts, self.weights)
+        return found
 
 
 def refined(
     points: Array,
-    sets: Sequence[FeatureSets],
+    samples: Indices,
+    sets: FeatureSets,
     features: Features,
     terms: Terms,
-    model: PointModel,
+    models: Sequence[PointModel],
     step: float,
 ) -> Array:
     """Return the best points about some maxima, shape (maxima, 2).
@@ -40,38 +78,40 @@ def refined(
     ----------
     points
         The maxima on the grid, shape (maxima, 2).
+    samples
+        Which sample point each is a maximum of, shape (maxima,).
     sets
-        The feature sets of each of them alone.
+        Their feature sets.
     features
         Those that the sets' members are of.
     step
         How far the points of the grid are apart.
     """
-    taken = [{of: _taken(model, of, own) for of in model.examples if of in own} for own in sets]
+    pairs = {of: list(_pairs(of, samples, sets, models)) for of in terms.relationships}
     for reach, sharpness in LEVELS:
         offsets = np.linspace(-reach * step, reach * step, FINE)
         fine = points[:, None] + np.stack(np.meshgrid(offsets, offsets), axis=-1).reshape(-1, 2)
         total = np.zeros(fine.shape[:2])
         view = View(fine.reshape(-1, 2), features)
-        for of, stack in model.examples.items():
-            seen = tuples(view, terms.relationships[of], terms.deviations[of])
-            seen = seen.reshape(*total.shape, *seen.shape[1:])
-            importance = terms.importance(distances(view, of)).reshape(*total.shape, -1)
-            weight = stack.importance[0] * np.repeat(model.weights, np.diff(stack.first))
-            for place, own in enumerate(taken):
-                if of in own:
-                    rows, members = own[of]
-                    gap = sharpness * (seen[place][:, members] - stack.values[0, rows])
-                    alike = np.exp(-0.5 * gap * gap).sum(axis=2)
-                    total[place] += (alike * importance[place][:, members]) @ weight[rows]
+        for of, some in pairs.items():
+            if some:
+                seen = tuples(view, terms.relationships[of], terms.deviations[of])
+                seen = seen.reshape(*total.shape, *seen.shape[1:])
+                importance = terms.importance(distances(view, of)).reshape(*total.shape, -1)
+                for own in some:
+                    total[own.maxima] += own.values(seen, importance, sharpness)
         points = fine[np.arange(len(fine)), total.argmax(axis=1)]
     return points
 
 
-def _taken(model: PointModel, of: FeatureType, sets: FeatureSets) -> Taken:
-    """Return which features of the examples are taken for which of those that the point sees."""
-    stack = model.examples[of]
-    matrix = similarities(stack, sets[of], np.zeros(1, np.intp))[0]
-    rows, columns = assignments(matrix, stack.first)
-    kept = matrix[rows, columns] > 0
-    return rows[kept], sets[of].members[columns[kept]]
+def _pairs(
+    of: FeatureType, samples: Indices, sets: FeatureSets, models: Sequence[PointModel]
+) -> Iterator[_Taken]:
+    for sample in np.unique(samples):
+        model, some = models[sample], np.flatnonzero(samples == sample)
+        if of not in model.examples or of not in sets:
+            continue
+        for block, columns in taken(model.examples[of], sets[of], some):
+            own = columns.reshape(len(some), -1)
+            weights = np.repeat(model.weights[block.examples], block.rows.shape[1]) * block.importance[0]
+            yield _Taken(block, some, sets[of].members[own], np.where(own >= 0, weights, 0.0))

@@ -41,3 +41,13 @@ def diagonals(boxes: Boxes) -> Array:
     """Return the lengths of the diagonals of boxes."""
     found: Array = np.hypot(boxes[:, 2], boxes[:, 3])
     return found
+
+
+def overlaps(boxes: Boxes, others: Boxes) -> Array:
+    """Return the intersections of boxes with others over their unions, shape (boxes, others)."""
+    import shapely
+
+    one, other = (shapely.polygons(sample_points(each)[:, :4]) for each in (boxes, others))
+    shared = shapely.area(shapely.intersection(one[:, None], other))
+    found: Array = shared / (shapely.area(one)[:, None] + shapely.area(other) - shared)
+    return found

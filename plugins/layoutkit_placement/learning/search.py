@@ -8,14 +8,14 @@ from functools import partial
 
 import numpy as np
 
-from layoutkit.scenes.features import Array
+from layoutkit.scenes.features import Array, Indices
 from layoutkit_placement.areas import Area
 from layoutkit_placement.learning.candidates import distinct, free_candidates, upright_candidates
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import Terms
 from layoutkit_placement.learning.grid import Grid
 from layoutkit_placement.learning.heat import Heat, PointModel
-from layoutkit_placement.learning.maxima import Maxima, maxima
+from layoutkit_placement.learning.maxima import maxima
 from layoutkit_placement.learning.refining import refined
 from layoutkit_placement.learning.samples import Boxes, sample_points
 
@@ -25,7 +25,7 @@ STEP, MARGIN, RADIUS = 1.5, 2.5, 2.5
 FLOOR = 0.6
 #: Of each sample point at least and at most so many maxima are looked at in an area, and so many candidates
 #: for each maximum.
-FEWEST, MOST, BOXES = 50, 1000, 2
+FEWEST, MOST, BOXES = 50, 1000, 4
 #: A grid has at most so many points: in larger areas they are farther apart.
 POINTS = 80_000
 
@@ -50,13 +50,12 @@ def candidates(
     heat = Heat(area, grid_of(area, terms), terms, models)
     radius = max(RADIUS * length, 1.5 * heat.grid.step)
     most = most_maxima(area)
-    points, values = [], []
-    for sample in range(len(models)):
-        bounds = heat.bounds(sample)
-        own = partial(heat.above, sample)
-        found = maxima(heat.grid, heat.tile_of, bounds, own, radius, FLOOR, most)
-        points.append(_refined(heat, sample, found, terms))
-        values.append(bounds)
+    values = [heat.bounds(sample) for sample in range(len(models))]
+    found = [
+        maxima(heat.grid, heat.tile_of, bounds, partial(heat.exact, sample), radius, FLOOR, most)
+        for sample, bounds in enumerate(values)
+    ]
+    points = _refined(heat, [own.indices for own in found], terms)
     boxes = _spanned(points, angles, area, deformation)
     support = _support(boxes, heat.grid, values) * deformation.factors(boxes)
     return distinct(boxes, support, length / 2, BOXES * most)
@@ -89,15 +88,18 @@ def is_coarse(area: Area, terms: Terms) -> bool:
     return bool(area.polygons) and step_of(area, terms) > 2 * STEP * terms.length
 
 
-def _refined(heat: Heat, sample: int, found: Maxima, terms: Terms) -> Array:
-    """Return the points of maxima between those of the grid, shape (maxima, 2)."""
-    points = heat.points[found.indices]
-    numbers = heat.tile_of[found.indices]
+def _refined(heat: Heat, maxima: Sequence[Indices], terms: Terms) -> list[Array]:
+    """Return the points of the maxima of each sample point, moved between those of the grid."""
+    indices = np.concatenate(maxima)
+    samples = np.repeat(np.arange(len(maxima)), [len(own) for own in maxima])
+    points, numbers = heat.points[indices], heat.tile_of[indices]
     for number in np.unique(numbers):
-        chosen = np.flatnonzero(numbers == number)
-        sets, features = heat.seen_from(found.indices[chosen])
-        points[chosen] = refined(points[chosen], sets, features, terms, heat.models[sample], heat.grid.step)
-    return points
+        some = np.flatnonzero(numbers == number)
+        sets, features = heat.seen_from(indices[some])
+        points[some] = refined(
+            points[some], samples[some], sets, features, terms, heat.models, heat.grid.step
+        )
+    return [points[samples == sample] for sample in range(len(maxima))]
 
 
 def _spanned(

@@ -128,7 +128,7 @@ def _cells(stack: Stack, weights: Array, some: Indices, curves: list[Array], siz
     """
     total = np.zeros(sizes)
     for example in np.flatnonzero(weights > 0):
-        own = np.flatnonzero((some >= stack.first[example]) & (some < stack.first[example + 1]))
+        own = np.flatnonzero(stack.owners[some] == example)
         if len(own):
             importance = stack.importance[0, some[own], None]
             total += weights[example] * _greatest([importance * curve[own] for curve in curves])

@@ -37,7 +37,7 @@ def dense(heat: Heat, sample: int, radius: float, floor: float, most: int) -> tu
 
 
 def fast(heat: Heat, sample: int, radius: float, floor: float, most: int) -> Maxima:
-    own = partial(heat.above, sample)
+    own = partial(heat.exact, sample)
     return maxima(heat.grid, heat.tile_of, heat.bounds(sample), own, radius, floor, most)
 
 

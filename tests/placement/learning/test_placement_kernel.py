@@ -10,15 +10,7 @@ import pytest
 from placement.learning.learning_drawn import feature_sets
 
 from layoutkit_placement.learning.descriptors import FeatureSets, Group
-from layoutkit_placement.learning.kernel import (
-    assignment_bounds,
-    best_assignments,
-    gram,
-    kernel,
-    kernel_above,
-    similarities,
-    stacked,
-)
+from layoutkit_placement.learning.kernel import gram, kernel, stacked
 from layoutkit_placement.learning.regression import weights
 
 SEEDS = range(40)
@@ -121,44 +113,8 @@ def test_the_kernel_itself_is_not_always_positive_semidefinite() -> None:
     assert worst < -1e-3
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-def test_bounds_of_assignments_hold_and_are_met_where_rows_do_not_compete(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    matrices, first = rng.uniform(0, 1, (6, 7, 5)), np.array([0, 3, 3, 7])
-    exact = best_assignments(matrices, first)
-    assert (assignment_bounds(matrices, first) >= exact * (1 - SINGLE)).all()
-    apart = np.tile(np.eye(5)[:3] * rng.uniform(0.1, 1), (1, 1, 1))
-    assert assignment_bounds(apart, np.array([0, 3])) == pytest.approx(
-        best_assignments(apart, np.array([0, 3]))
-    )
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-def test_what_may_reach_the_least_value_is_exact_and_the_rest_is_bounded(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    sets = stacked([feature_sets(rng, 1) for _ in range(3)])
-    many = feature_sets(rng, 1, most=6)
-    queries = {
-        of: Group(
-            rng.uniform(0, 6, (8, *group.values.shape[1:])),
-            rng.uniform(0, 1, (8, *group.importance.shape[1:])),
-            group.codes,
-            group.members,
-        )
-        for of, group in many.items()
-    }
-    own = rng.uniform(0, 1, 3)
-    exact = kernel(sets, 3, queries, 8) @ own
-    least = float(np.median(exact))
-    found, known = kernel_above(sets, own, queries, 8, least)
-    assert found[known] == pytest.approx(exact[known], rel=SINGLE)
-    assert (found >= exact * (1 - SINGLE)).all()
-    assert (exact[~known] < least).all()
-
-
 def test_features_of_other_types_or_labels_add_nothing() -> None:
     rng = np.random.default_rng(0)
     one = feature_sets(rng, 1, codes=1, most=4)
     other = {of: Group(g.values, g.importance, g.codes + 1, g.members) for of, g in one.items()}
     assert kernel(stacked([one]), 1, other, 1) == pytest.approx(0.0)
-    assert similarities(stacked([one])["polygon"], other["polygon"], np.array([0])).max(initial=0.0) == 0.0
