@@ -39,6 +39,8 @@ from layoutkit_placement.learning.maxima import maxima
 from layoutkit_placement.learning.search import FLOOR, RADIUS, grid_of, most_maxima
 
 AIM, FASTER = 1.0, 20.0
+#: Placements with lower scores do not count.
+THRESHOLD = 0.3
 #: About so many points are evaluated directly, so many of them at once.
 DRAWN, TOGETHER = 200, 16
 Shape = Callable[[float, float, float, float], Placement]
@@ -178,7 +180,7 @@ def measured(operation: str, shape: Shape, settings: LearningSettings, repeats: 
     for _ in range(repeats):
         start = time.perf_counter()
         fitted = Learner(settings).fit(taught)
-        found = fitted.propose(asked, threshold=0.5)
+        found = fitted.propose(asked, threshold=THRESHOLD)
         times.append(time.perf_counter() - start)
     [area] = Areas.of(asked, settings.hierarchy).of_labels(fitted.parents)
     radius = RADIUS * fitted.terms.length
@@ -216,7 +218,7 @@ def growth(counts: Sequence[int], settings: LearningSettings) -> list[tuple[int,
     for count in counts:
         asked, _ = street(count, np.random.default_rng(4))
         start = time.perf_counter()
-        placed = fitted.propose(asked, threshold=0.5)
+        placed = fitted.propose(asked, threshold=THRESHOLD)
         found.append((count, len(placed), time.perf_counter() - start))
     return found
 

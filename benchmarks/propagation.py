@@ -27,7 +27,7 @@ from layoutkit.sizing.threads import single_threaded
 from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.functions import BUILT_IN
 from layoutkit_placement.propagation.bands import importance_on
-from layoutkit_placement.propagation.lattice import Lattice, Patch
+from layoutkit_placement.propagation.lattice import Patch, lattice_over
 from layoutkit_placement.propagation.matching import Matching
 from layoutkit_placement.propagation.query import PAPER, Query
 from layoutkit_placement.propagation.searching import radius_of
@@ -155,7 +155,7 @@ def field(source: Scene, target: Scene, settings: PropagationSettings) -> tuple[
     functions = tuple(by_name[name] for name in settings.relationships or PAPER)
     query = Query(SHAPE, Areas(source, True).around([SHAPE])[0], functions)
     (area,) = Areas(target, True).of_labels(frozenset([query.area.labels]))
-    lattice = Lattice.over(area.extent, settings.points)
+    lattice = lattice_over(area.extent, settings.points)
     matching = Matching(query, area, radius_of(query, lattice, settings))
     patch = Patch.over(lattice, area, lattice.step)
     return matching, patch, importance_on(matching, patch)

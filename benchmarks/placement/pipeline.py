@@ -20,15 +20,16 @@ from layoutkit.model.scene import Placement, Scene
 from layoutkit.scenes.features import Indices
 from layoutkit.scenes.relationship import Relationship
 from layoutkit_placement.areas import Area, Areas
+from layoutkit_placement.grid import Grid
 from layoutkit_placement.learning.candidates import distinct, free_candidates, upright_candidates
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import DEVIATIONS, FARTHEST
-from layoutkit_placement.learning.grid import Grid, boxes_about, near
 from layoutkit_placement.learning.limits import Limits
 from layoutkit_placement.learning.rating import apart
 from layoutkit_placement.learning.regression import weights
 from layoutkit_placement.learning.samples import SAMPLES, boxes_of, diagonals, sample_points
 from layoutkit_placement.learning.search import BOXES, MARGIN, RADIUS, STEP, most_maxima
+from layoutkit_placement.learning.tiles import boxes_about, grid_over, near, tiles
 
 #: So many boxes are described at once, as they stand next to each other.
 _TOGETHER = 16
@@ -157,7 +158,7 @@ class Pooled:
         ]
 
     def _candidates(self, area: Area) -> Array:
-        grid = Grid.over(area, STEP * self._length, MARGIN * self._length)
+        grid = grid_over(area, STEP * self._length, MARGIN * self._length)
         most = most_maxima(area)
         values = self._heat(area, grid)
         points = []
@@ -176,7 +177,7 @@ class Pooled:
         """Return how well each sample point would stand at all points of a grid, shape (samples, points)."""
         points, about = grid.points, boxes_about(area.features)
         found = np.zeros((SAMPLES, len(points)))
-        for tile in grid.tiles():
+        for tile in tiles(grid):
             features = area.features.take(near(about, points[tile], self._describer.farthest))
             described = self._describer.describe(points[tile][:, None], features)
             if described:

@@ -10,9 +10,9 @@ from typing import Any
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.documents.grammar import BOX, FOOTPRINT, MASS, ElementType
 from layoutkit.documents.reading import Reading
-from layoutkit.documents.roots import check_root, is_rooted
+from layoutkit.documents.roots import is_rooted, opened
 from layoutkit.documents.source import Source
-from layoutkit.documents.tree import Element, parse
+from layoutkit.documents.tree import Element
 from layoutkit.model import Block, Footprint, Mass, Part
 from layoutkit.model.facade import Units
 from layoutkit.model.outline import FARTHEST, SHORTEST, fault
@@ -53,9 +53,8 @@ def read_mass(document: Path | str | Source) -> MassDocument:
     Faulty
         If it has errors; all of them are in it.
     """
-    root = parse(document if isinstance(document, Source) else Source.of(document))
-    reading = Reading(root.namespace)
-    check_root(root, MASS, "a mass is described by <mass>, which holds boxes and footprints", reading)
+    hint = "a mass is described by <mass>, which holds boxes and footprints"
+    root, reading = opened(document, MASS, hint)
     read = _document(root, reading)
     if reading.diagnostics.erroneous:
         raise Faulty(reading.ordered())

@@ -9,11 +9,11 @@ from typing import Any
 
 from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.documents.reading import Reading
-from layoutkit.documents.roots import check_root, is_rooted
+from layoutkit.documents.roots import is_rooted, opened
 from layoutkit.documents.scene_grammar import EXAMPLE, PLACEMENT, PLACEMENT_MODEL, POLYGON, SETTINGS
 from layoutkit.documents.scenes import read_shapes
 from layoutkit.documents.source import Source
-from layoutkit.documents.tree import Element, parse
+from layoutkit.documents.tree import Element
 from layoutkit.model.facade import Units
 from layoutkit.model.learning import Example, LearningSettings, PlacementModel
 from layoutkit.model.scene import Scene
@@ -52,10 +52,8 @@ def read_placement_model(document: Path | str | Source) -> PlacementModelDocumen
     Faulty
         If it has errors; all of them are in it.
     """
-    root = parse(document if isinstance(document, Source) else Source.of(document))
-    reading = Reading(root.namespace)
     hint = "what was learned from examples is described by <placement-model>, which holds them"
-    check_root(root, PLACEMENT_MODEL, hint, reading)
+    root, reading = opened(document, PLACEMENT_MODEL, hint)
     values = reading.values(root, PLACEMENT_MODEL)
     found = list(_examples(root, values.get("units") or "m", values.get("label"), reading))
     if not root.children:

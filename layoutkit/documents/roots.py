@@ -11,7 +11,7 @@ from layoutkit.documents.grammar import NAMESPACE, ElementType
 from layoutkit.documents.reading import Reading
 from layoutkit.documents.source import Source
 from layoutkit.documents.spelling import near_namespace
-from layoutkit.documents.tree import Element
+from layoutkit.documents.tree import Element, parse
 
 
 def is_rooted(document: Path | str | Source, declared: ElementType) -> bool:
@@ -34,7 +34,21 @@ def is_rooted(document: Path | str | Source, declared: ElementType) -> bool:
     return bool(names) and names[0].rpartition(" ")[2] == declared.name
 
 
-def check_root(root: Element, declared: ElementType, hint: str, reading: Reading) -> None:
+def opened(document: Path | str | Source, declared: ElementType, hint: str) -> tuple[Element, Reading]:
+    """Return the root of a document of some kind, and what is recorded as it is read.
+
+    Raises
+    ------
+    Faulty
+        If the file cannot be read, is no XML, or its root is another element (LK101).
+    """
+    root = parse(document if isinstance(document, Source) else Source.of(document))
+    reading = Reading(root.namespace)
+    _check_root(root, declared, hint, reading)
+    return root, reading
+
+
+def _check_root(root: Element, declared: ElementType, hint: str, reading: Reading) -> None:
     """Record that a root has no namespace.
 
     Raises

@@ -11,10 +11,10 @@ from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.documents.grammar import PICTURE, ElementType
 from layoutkit.documents.picture import picture_of
 from layoutkit.documents.reading import Reading
-from layoutkit.documents.roots import check_root, is_rooted
+from layoutkit.documents.roots import is_rooted, opened
 from layoutkit.documents.scene_grammar import CORNER, EDGE, PLACEMENT, POLYGON, SCENE
 from layoutkit.documents.source import Source
-from layoutkit.documents.tree import Element, parse
+from layoutkit.documents.tree import Element
 from layoutkit.model.facade import Picture
 from layoutkit.model.scene import OwnLabels, Placement, Polygon, Scene
 from layoutkit.scenes.naming import named
@@ -74,9 +74,8 @@ def read_scene(document: Path | str | Source) -> SceneDocument:
     Faulty
         If it has errors; all of them are in it.
     """
-    root = parse(document if isinstance(document, Source) else Source.of(document))
-    reading = Reading(root.namespace)
-    check_root(root, SCENE, "a scene is described by <scene>, which holds polygons and placements", reading)
+    hint = "a scene is described by <scene>, which holds polygons and placements"
+    root, reading = opened(document, SCENE, hint)
     values = reading.values(root, SCENE)
     picture, rest = _picture(root, reading)
     found = read_shapes(rest, root, (PICTURE.name, POLYGON.name, PLACEMENT.name), reading)

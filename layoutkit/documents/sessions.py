@@ -13,9 +13,9 @@ from layoutkit.documents.document import named_facade
 from layoutkit.documents.grammar import DRAG, EDIT, REGION_SIZE, RESIZE, SESSION, ElementType
 from layoutkit.documents.kinds import Kinds
 from layoutkit.documents.reading import Reading
-from layoutkit.documents.roots import check_root, is_rooted
+from layoutkit.documents.roots import is_rooted, opened
 from layoutkit.documents.source import Source
-from layoutkit.documents.tree import Element, parse
+from layoutkit.documents.tree import Element
 from layoutkit.model import Facade
 from layoutkit.model.session import Drag, Edit, RegionSize, Resize, Session, Step
 
@@ -70,9 +70,8 @@ def read_session(document: Path | str | Source, kinds: Kinds) -> SessionDocument
     Faulty
         If it or its facade has errors, or the facade is not there; all of them are in it.
     """
-    root = parse(document if isinstance(document, Source) else Source.of(document))
-    reading = Reading(root.namespace)
-    check_root(root, SESSION, "the edits of a facade are told by <session>", reading)
+    hint = "the edits of a facade are told by <session>"
+    root, reading = opened(document, SESSION, hint)
     values = reading.values(root, SESSION)
     steps = tuple(_steps(root, reading))
     count, file = values.get("done"), values.get("facade")

@@ -151,9 +151,7 @@ def test_inspect_and_validate_a_scene(folder: Path, layoutkit: Any) -> None:
 
 def test_inspect_and_validate_a_placement_model(folder: Path, layoutkit: Any) -> None:
     scene = Scene("e", "m", (Polygon.rectangle("window", 1, 1, 3, 4, ("Window",)),))
-    model = PlacementModel(
-        "sills", "m", "Sill", (Example(scene, Placement(2, 1, 2, 1, label="Sill")),), (0.5,)
-    )
+    model = PlacementModel("sills", "m", "Sill", (Example(scene, Placement(2, 1, 2, 1, label="Sill")),))
     save("sills.xml", placement_model_bytes(model))
     lines = layoutkit("inspect", "sills.xml").out.splitlines()
     assert lines[0] == "placement model sills: 1 example of Sill, m"

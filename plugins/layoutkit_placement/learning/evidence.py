@@ -10,13 +10,14 @@ from layoutkit.model.evidence import Evidence, HeatMap
 from layoutkit.model.scene import Placement, Scene
 from layoutkit.scenes.features import Array, FeatureType
 from layoutkit_placement.areas import Area, Areas
+from layoutkit_placement.grid import Grid
 from layoutkit_placement.learning.descriptors import describe
-from layoutkit_placement.learning.grid import Grid, boxes_about, near
 from layoutkit_placement.learning.heat import Heat
 from layoutkit_placement.learning.kernel import taken
 from layoutkit_placement.learning.learner import Fitted
 from layoutkit_placement.learning.samples import NAMES, SAMPLES, boxes_of, sample_points
 from layoutkit_placement.learning.search import grid_of
+from layoutkit_placement.learning.tiles import boxes_about, near
 
 
 def evidence(fitted: Fitted, scene: Scene, placements: Sequence[Placement]) -> Evidence:

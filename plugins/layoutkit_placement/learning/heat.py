@@ -13,10 +13,11 @@ import numpy as np
 
 from layoutkit.scenes.features import Array, Features, Indices
 from layoutkit_placement.areas import Area
+from layoutkit_placement.grid import Grid
 from layoutkit_placement.learning.descriptors import FeatureSets, Terms, Vocabulary, describe
-from layoutkit_placement.learning.grid import Grid, boxes_about, near
 from layoutkit_placement.learning.kernel import Stacks, kernel
 from layoutkit_placement.learning.tables import Tables, bounds, tables
+from layoutkit_placement.learning.tiles import boxes_about, near, tiles
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,7 @@ class Heat:
         self.points = grid.points
         self.tile_of = np.zeros(len(self.points), np.intp)
         self._place = np.zeros(len(self.points), np.intp)
-        self._tiles = tuple(grid.tiles())
+        self._tiles = tuple(tiles(grid))
         self._sets: list[FeatureSets] = []
         self._features: list[Features] = []
         boxes = boxes_about(area.features)

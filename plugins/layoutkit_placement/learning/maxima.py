@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layoutkit.scenes.features import Array, Indices
-from layoutkit_placement.learning.grid import Grid
+from layoutkit_placement.grid import Grid
 
 #: Takes points and returns their values.
 Evaluate = Callable[[Indices], Array]

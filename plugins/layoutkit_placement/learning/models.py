@@ -10,10 +10,10 @@ import numpy as np
 from layoutkit.model.learning import Example, PlacementModel
 from layoutkit.scenes.relationship import Relationship
 from layoutkit_placement.functions import BUILT_IN
-from layoutkit_placement.learning.grid import boxes_about, near
 from layoutkit_placement.learning.learner import Fitted, Learner
 from layoutkit_placement.learning.limits import crossed
 from layoutkit_placement.learning.samples import sample_points
+from layoutkit_placement.learning.tiles import boxes_about, near
 
 
 def model_of(fitted: Fitted, name: str) -> PlacementModel:

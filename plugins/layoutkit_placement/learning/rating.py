@@ -12,9 +12,9 @@ from layoutkit.scenes.features import Array
 from layoutkit.scenes.shapes import shapes
 from layoutkit_placement.areas import Area
 from layoutkit_placement.learning.descriptors import Terms, Vocabulary, describe
-from layoutkit_placement.learning.grid import boxes_about, near
 from layoutkit_placement.learning.kernel import Stacks, kernel
 from layoutkit_placement.learning.samples import Boxes, sample_points
+from layoutkit_placement.learning.tiles import boxes_about, near
 
 #: So many boxes are described at once: those next to each other see the same features.
 _TOGETHER = 24

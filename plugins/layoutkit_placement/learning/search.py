@@ -10,14 +10,15 @@ import numpy as np
 
 from layoutkit.scenes.features import Array, Indices
 from layoutkit_placement.areas import Area
+from layoutkit_placement.grid import Grid
 from layoutkit_placement.learning.candidates import distinct, free_candidates, upright_candidates
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import Terms
-from layoutkit_placement.learning.grid import Grid
 from layoutkit_placement.learning.heat import Heat, PointModel
 from layoutkit_placement.learning.maxima import maxima
 from layoutkit_placement.learning.refining import refined
 from layoutkit_placement.learning.samples import Boxes, sample_points
+from layoutkit_placement.learning.tiles import grid_over
 
 #: Lengths, in the deviation of lengths: between points of the grid, about it, and about a maximum.
 STEP, MARGIN, RADIUS = 1.5, 2.5, 2.5
@@ -73,7 +74,7 @@ def most_maxima(area: Area) -> int:
 
 def grid_of(area: Area, terms: Terms) -> Grid:
     """Return the points of an area that are looked at."""
-    return Grid.over(area, step_of(area, terms), MARGIN * terms.length)
+    return grid_over(area, step_of(area, terms), MARGIN * terms.length)
 
 
 def step_of(area: Area, terms: Terms) -> float:

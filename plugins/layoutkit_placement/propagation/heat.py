@@ -6,7 +6,7 @@ import numpy as np
 
 from layoutkit.model.evidence import HeatMap
 from layoutkit.scenes.features import Array
-from layoutkit_placement.propagation.lattice import Lattice
+from layoutkit_placement.grid import Grid
 from layoutkit_placement.propagation.searching import Candidates
 
 
@@ -14,7 +14,7 @@ class Heat:
     """Heat maps by name, which areas are added to."""
 
     def __init__(self) -> None:
-        self._maps: dict[str, tuple[Lattice, Array]] = {}
+        self._maps: dict[str, tuple[Grid, Array]] = {}
 
     def add(self, name: str, found: Candidates) -> None:
         """Add an area's importance, where it is greater than that of areas that overlap it."""

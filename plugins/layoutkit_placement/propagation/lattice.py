@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from layoutkit.scenes.features import Array, Indices
 from layoutkit.scenes.shapes import shapes
 from layoutkit_placement.areas import Area
+from layoutkit_placement.grid import Grid
 
 #: Blocks have so many points on each side.
 SIDE = 8
@@ -19,35 +20,14 @@ SIDE = 8
 REACH = (SIDE - 1) / 2 * math.sqrt(2)
 
 
-@dataclass(frozen=True, slots=True)
-class Lattice:
-    """A regular grid of points over a scene.
-
-    Attributes
-    ----------
-    x, y
-        The lower left point, in document units.
-    step
-        How far points are apart.
-    rows, columns
-        How many there are.
-    """
-
-    x: float
-    y: float
-    step: float
-    rows: int
-    columns: int
-
-    @classmethod
-    def over(cls, extent: tuple[float, float, float, float], points: int) -> Lattice:
-        """Return the grid of about so many points in the middle of a box (x0, y0, x1, y1)."""
-        x0, y0, x1, y1 = extent
-        width, height = x1 - x0, y1 - y0
-        step = math.sqrt(max(width * height, (max(width, height) / points) ** 2) / points)
-        columns, rows = (max(1, round(side / step)) for side in (width, height))
-        x, y = ((a + b - (count - 1) * step) / 2 for a, b, count in ((x0, x1, columns), (y0, y1, rows)))
-        return cls(x, y, step, rows, columns)
+def lattice_over(extent: tuple[float, float, float, float], points: int) -> Grid:
+    """Return the grid of about so many points in the middle of a box (x0, y0, x1, y1)."""
+    x0, y0, x1, y1 = extent
+    width, height = x1 - x0, y1 - y0
+    step = math.sqrt(max(width * height, (max(width, height) / points) ** 2) / points)
+    columns, rows = (max(1, round(side / step)) for side in (width, height))
+    x, y = ((a + b - (count - 1) * step) / 2 for a, b, count in ((x0, x1, columns), (y0, y1, rows)))
+    return Grid(x, y, step, rows, columns)
 
 
 @dataclass(frozen=True)
@@ -66,14 +46,14 @@ class Patch:
         Which points are in the area, shape (blocks, SIDE * SIDE), row by row.
     """
 
-    lattice: Lattice
+    lattice: Grid
     row: int
     column: int
     blocks: Indices
     inside: NDArray[np.bool_]
 
     @classmethod
-    def over(cls, lattice: Lattice, area: Area, margin: float) -> Patch:
+    def over(cls, lattice: Grid, area: Area, margin: float) -> Patch:
         """Return the points of a lattice inside an area's polygon, or up to a margin outside it.
 
         All of a scene is a box.

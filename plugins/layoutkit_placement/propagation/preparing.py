@@ -12,7 +12,8 @@ from layoutkit.model.scene import Placement, Polygon, Scene
 from layoutkit.scenes.relationship import Relationship
 from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.examples import shapes_of, without
-from layoutkit_placement.propagation.lattice import Lattice
+from layoutkit_placement.grid import Grid
+from layoutkit_placement.propagation.lattice import lattice_over
 from layoutkit_placement.propagation.query import Query
 from layoutkit_placement.propagation.scopes import Scopes
 from layoutkit_placement.propagation.selecting import Rules
@@ -112,14 +113,14 @@ class Prepared:
         return Occupied(max(query.diagonal for query in self.queries), standing)
 
     @cached_property
-    def lattice(self) -> Lattice:
+    def lattice(self) -> Grid:
         """The grid over all areas that any shape may go to."""
         every = [(query, area) for k, query in enumerate(self.queries) for area in self.targets(k)]
         boxes = np.array([area.extent for _, area in every])
         (x0, y0), (x1, y1) = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
         room = max((query.outside for query, area in every if not area.parent), default=0.0)
         extent = float(x0 - room), float(y0 - room), float(x1 + room), float(y1 + room)
-        return Lattice.over(extent, self.task.settings.points)
+        return lattice_over(extent, self.task.settings.points)
 
     @cached_property
     def _within(self) -> bool:

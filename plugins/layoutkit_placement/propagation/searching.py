@@ -10,10 +10,11 @@ import numpy as np
 from layoutkit.model.scene import Placement
 from layoutkit.scenes.features import Array, Indices
 from layoutkit_placement.areas import Area
+from layoutkit_placement.grid import Grid
 from layoutkit_placement.propagation.bands import importance_on
 from layoutkit_placement.propagation.choosing import drawn
 from layoutkit_placement.propagation.dense import directions_at
-from layoutkit_placement.propagation.lattice import Lattice, Patch
+from layoutkit_placement.propagation.lattice import Patch
 from layoutkit_placement.propagation.matching import Matching
 from layoutkit_placement.propagation.maxima import apart, peaks
 from layoutkit_placement.propagation.pose_space import importance_in, tolerance_of
@@ -54,7 +55,7 @@ class Candidates:
     scores: Array
 
 
-def radius_of(query: Query, lattice: Lattice, settings: PropagationSettings) -> float:
+def radius_of(query: Query, lattice: Grid, settings: PropagationSettings) -> float:
     """Return the radius of the kernel in document units."""
     return max(settings.kernel * query.diagonal, LEAST_STEPS * lattice.step)
 
@@ -62,7 +63,7 @@ def radius_of(query: Query, lattice: Lattice, settings: PropagationSettings) -> 
 def candidates(
     query: Query,
     area: Area,
-    lattice: Lattice,
+    lattice: Grid,
     settings: PropagationSettings,
     generator: np.random.Generator,
 ) -> Candidates:

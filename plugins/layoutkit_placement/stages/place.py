@@ -42,7 +42,7 @@ class PlaceOptions:
 
     model: PlacementModel | None = None
     limit: int | None = None
-    threshold: float = 0.5
+    threshold: float = 0.3
     spacing: Spacing | None = None
     evidence: bool = False
     relationships: tuple[Relationship, ...] = ()

@@ -9,8 +9,11 @@ import pytest
 from placement.learning.learning_drawn import examples, scene
 
 from layoutkit.model.learning import LearningSettings
-from layoutkit_placement.areas import Areas
-from layoutkit_placement.learning import Learner
+from layoutkit.scenes.features import Array
+from layoutkit_placement.areas import Area, Areas
+from layoutkit_placement.grid import Grid
+from layoutkit_placement.learning import Fitted, Learner
+from layoutkit_placement.learning.descriptors import describe
 from layoutkit_placement.learning.heat import Heat
 from layoutkit_placement.learning.maxima import Maxima, maxima
 from layoutkit_placement.learning.samples import SAMPLES
@@ -21,9 +24,15 @@ SCENES = 100
 SINGLE = 1e-5
 
 
-def dense(heat: Heat, sample: int, radius: float, floor: float, most: int) -> tuple[list[int], list[float]]:
-    """Return the maxima when every point is evaluated: the highest, the highest not near it, and so on."""
-    values = heat.exact(sample, np.arange(len(heat.points)))
+def everywhere(fitted: Fitted, area: Area, grid: Grid, sample: int) -> Array:
+    """Return the values of a sample point at all points, every feature of the area looked at from each."""
+    queries = describe(grid.points[:, None], area.features, fitted.terms, fitted.point_models[sample].words)
+    return fitted.point_models[sample].values(queries, len(grid.points))
+
+
+def dense(every: Array, grid: Grid, radius: float, floor: float, most: int) -> tuple[list[int], list[float]]:
+    """Return the maxima of values at all points: the highest, the highest not near it, and so on."""
+    values, points = every, grid.points
     indices: list[int] = []
     highest = values.max()
     while len(indices) < most:
@@ -32,8 +41,8 @@ def dense(heat: Heat, sample: int, radius: float, floor: float, most: int) -> tu
             break
         indices.append(top)
         values = values.copy()
-        values[np.hypot(*(heat.points - heat.points[top]).T) <= radius * (1 + 1e-9)] = -np.inf
-    return indices, heat.exact(sample, np.array(indices, np.intp)).tolist()
+        values[np.hypot(*(points - points[top]).T) <= radius * (1 + 1e-9)] = -np.inf
+    return indices, every[indices].tolist()
 
 
 def fast(heat: Heat, sample: int, radius: float, floor: float, most: int) -> Maxima:
@@ -52,7 +61,8 @@ def test_maxima_are_those_of_the_dense_evaluation(seed: int) -> None:
     heat = Heat(area, grid_of(area, fitted.terms), fitted.terms, fitted.point_models)
     radius = RADIUS * fitted.terms.length
     for sample in (seed % SAMPLES, SAMPLES - 1):
-        indices, values = dense(heat, sample, radius, FLOOR, 30)
+        every = everywhere(fitted, area, heat.grid, sample)
+        indices, values = dense(every, heat.grid, radius, FLOOR, 30)
         found = fast(heat, sample, radius, FLOOR, 30)
         assert found.values == pytest.approx(values, rel=SINGLE)
         assert found.indices.tolist() == indices
@@ -65,5 +75,6 @@ def test_no_value_exceeds_its_bound(seed: int) -> None:
     [area] = Areas.of(scene(rng), True).of_labels(frozenset([("Room",)]))
     heat = Heat(area, grid_of(area, fitted.terms), fitted.terms, fitted.point_models)
     for sample in range(SAMPLES):
-        exact = heat.exact(sample, np.arange(len(heat.points)))
+        exact = everywhere(fitted, area, heat.grid, sample)
+        assert heat.exact(sample, np.arange(len(exact))) == pytest.approx(exact, rel=SINGLE, abs=SINGLE)
         assert (exact <= heat.bounds(sample) * (1 + SINGLE)).all()

@@ -9,7 +9,7 @@ from propagation_drawn import POSITIONAL, functions, random_area, random_query
 from benchmarks.plain_propagation import plain_importance
 from layoutkit_placement.propagation.bands import bands, importance_on
 from layoutkit_placement.propagation.dense import importance_at, importance_of_poses
-from layoutkit_placement.propagation.lattice import SIDE, Lattice, Patch
+from layoutkit_placement.propagation.lattice import SIDE, Patch, lattice_over
 from layoutkit_placement.propagation.matching import Matching
 from layoutkit_placement.propagation.pose_space import importance_in, tolerance_of
 
@@ -18,7 +18,7 @@ def matching(seed: int, everything: bool, radius: float = 0.12) -> tuple[Matchin
     own = POSITIONAL if everything else functions()
     area = random_area(seed + 500)
     found = Matching(random_query(seed, own), area, radius)
-    lattice = Lattice.over(area.extent, 4000)
+    lattice = lattice_over(area.extent, 4000)
     return found, Patch.over(lattice, area, lattice.step)
 
 
@@ -80,7 +80,7 @@ def test_patches_cover_areas_once(seed: int) -> None:
     import shapely
 
     area = random_area(seed)
-    lattice = Lattice.over((-7, -7, 7, 7), 5000)
+    lattice = lattice_over((-7, -7, 7, 7), 5000)
     patch = Patch.over(lattice, area, 0.0)
     row, column = np.mgrid[: lattice.rows, : lattice.columns]
     x, y = lattice.x + column * lattice.step, lattice.y + row * lattice.step
