@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PIL import Image
 
 from layoutkit.model import HeatMap, Placement, Polygon, Scene
+from layoutkit.pictures.legend import Entry, with_legend
 from layoutkit.pictures.scenes import bars
 from layoutkit.pictures.scenes.bars import in_order, render_contributions
 from layoutkit.pictures.scenes.frame import Frame
@@ -143,5 +145,8 @@ def test_bars_are_as_long_as_what_they_show() -> None:
     )
 
 
-def test_no_placements_make_no_bars() -> None:
-    assert render_contributions([], []).width > 100
+def test_where_nothing_was_placed_the_bars_say_so() -> None:
+    page = render_contributions([], [])
+    said = np.asarray(with_legend(Image.new("RGB", (640, 1), "white"), [Entry("nothing was placed")]))
+    assert (said < 128).any(), "there is something to read"
+    assert (np.asarray(page) == said).all()

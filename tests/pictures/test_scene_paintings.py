@@ -15,7 +15,7 @@ from layoutkit.model import Picture, Placement, Polygon, Scene
 from layoutkit.pictures.palette import PALETTE, colour_of_labels
 from layoutkit.pictures.photo import part_shown
 from layoutkit.pictures.scenes.marks import PLACED
-from layoutkit.pictures.scenes.painting import NATURAL, frame_of, render_scene
+from layoutkit.pictures.scenes.painting import NATURAL, drawing, frame_of, render_scene
 from layoutkit.pictures.scenes.svg import render_scene_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -36,7 +36,7 @@ def pixel(image: Image.Image, shown: Scene, x: float, y: float, photo: Image.Ima
 @pytest.mark.parametrize("polygons", [(ROOM, BED), (BED, ROOM)])
 def test_inner_polygons_are_seen_in_any_order(polygons: tuple[Polygon, ...]) -> None:
     shown = scene(*polygons)
-    image = render_scene(shown)
+    image = drawing(shown)
     assert max(image.size) == NATURAL
     assert pixel(image, shown, 2, 2) == colour_of_labels(("Bed",))
     assert pixel(image, shown, 7, 5) == PALETTE["room"]
@@ -44,7 +44,7 @@ def test_inner_polygons_are_seen_in_any_order(polygons: tuple[Polygon, ...]) -> 
 
 def test_placements_are_outlined_not_filled() -> None:
     shown = scene(ROOM, placements=(CHAIR,))
-    image = render_scene(shown)
+    image = drawing(shown)
     assert pixel(image, shown, 6.25, 3) == PLACED, "its lower side, as it is turned"
     assert pixel(image, shown, 6, 3.25) == PLACED, "the arrow, upwards"
     assert pixel(image, shown, 6.12, 2.75) == PALETTE["room"]
@@ -53,7 +53,7 @@ def test_placements_are_outlined_not_filled() -> None:
 def test_edges_and_corners_have_colours_of_their_own() -> None:
     labelled = Polygon("plot", ROOM.points, ("Plot",), edges=((1, ("Front",)),), corners=((3, ("Gate",)),))
     shown = scene(Polygon.rectangle("all", -2, -2, 10, 8), labelled)
-    image = render_scene(shown)
+    image = drawing(shown)
     assert pixel(image, shown, 8, 3) == colour_of_labels(("Front",))
     assert pixel(image, shown, 0, 6) == colour_of_labels(("Gate",))
     assert pixel(image, shown, 4, 0) != colour_of_labels(("Front",))
@@ -68,7 +68,7 @@ def test_the_photo_stands_where_the_polygons_do(tmp_path: Path) -> None:
     assert photo.size == (80, 60)
     beyond = Placement(9, 3, 1, 1)
     shown = scene(Polygon("hull", ROOM.points), placements=(beyond,))
-    image = np.asarray(render_scene(shown, photo, scale=4), float)
+    image = np.asarray(drawing(shown, photo, scale=4), float)
     frame = frame_of(shown, photo, 4)
     assert frame.zoom == pytest.approx(40, rel=0.01), "ten pixels a unit in the photo"
 
@@ -89,7 +89,7 @@ def test_pictures_that_are_missing_are_told(tmp_path: Path) -> None:
 
 
 def test_pictures_get_no_larger_than_allowed() -> None:
-    assert max(render_scene(scene(ROOM), scale=100, longest=300).size) == 300
+    assert max(drawing(scene(ROOM), scale=100, longest=300).size) == 300
 
 
 def test_an_empty_scene_is_an_empty_picture() -> None:

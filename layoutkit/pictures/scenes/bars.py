@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from layoutkit.model import Placement
-from layoutkit.pictures.legend import INK, WHITE, Entry, with_legend
+from layoutkit.pictures.legend import INK, NARROWEST, WHITE, Entry, with_legend
 from layoutkit.pictures.lettering import fitted, font, spelled
 from layoutkit.pictures.scenes.ramp import kind_colour
 
@@ -29,10 +29,12 @@ def render_contributions(placements: Sequence[Placement], contributions: Sequenc
 
     What speaks for a placement goes to the right of a line, what speaks against it to the left; all rows have
     one scale. Behind each bar stands the placement's score. Functions are in the order of what they add to
-    all placements together, and so is the legend.
+    all placements together, and so is the legend. Without placements it says that there are none.
     """
     from PIL import Image, ImageDraw
 
+    if not placements:
+        return with_legend(Image.new("RGB", (NARROWEST, 1), WHITE), [Entry("nothing was placed")])
     colours = {name: kind_colour(number) for number, name in enumerate(in_order(contributions))}
     zero, zoom = _axis(contributions)
     page = Image.new("RGB", (_NAME + _WIDE + _SCORE, _ROW * len(placements)), WHITE)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from layoutkit.model import Placement
 from layoutkit.model.face import Point
 from layoutkit.pictures.legend import WHITE
-from layoutkit.pictures.lettering import font
+from layoutkit.pictures.scenes.badges import badges, draw_badges
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 PLACED: Colour = (214, 0, 110)
 #: How long the half arrow's barb is, as a share of the placement's shorter side.
 _BARB = 0.22
+#: Lines are at most this share of a shape's shorter side wide.
+THIN = 1 / 16
+#: A shape has an arrow if its shorter side is at least so many lines wide.
+_ROOM = 12
 
 
 def arrow(placement: Placement) -> tuple[Point, Point, Point]:
@@ -52,29 +56,41 @@ def sample_point(placement: Placement, name: str) -> Point:
     return corners.get(name, (placement.x, placement.y))
 
 
-def outline_placements(page: Image, frame: Frame, placements: Sequence[Placement], line: int) -> None:
-    """Draw the outlines and half arrows of placements, `line` pixels wide, with white beside them."""
+def stroke(side: float, most: float, least: float) -> float:
+    """Return how wide the lines of a shape are: they leave a small one to be seen.
+
+    Parameters
+    ----------
+    side
+        The shape's shorter side.
+    most, least
+        The widest line, where the shape is large, and the narrowest. All in the same unit.
+    """
+    return max(min(most, THIN * side), min(least, most))
+
+
+def outline_placements(
+    page: Image, frame: Frame, placements: Sequence[Placement], most: int, least: int
+) -> None:
+    """Draw the outlines and half arrows of placements, with white beside them.
+
+    Lines are `most` pixels wide, and narrower, down to `least`, on small shapes. Shapes too small for it have
+    no arrow.
+    """
     from PIL.ImageDraw import Draw
 
     draw = Draw(page)
     for placement in placements:
-        ring = frame.pixels((*placement.points, *placement.points[:2]))
-        strokes = (ring, frame.pixels(arrow(placement)))
-        for colour, width in ((WHITE, line + 2 * max(1, line // 2)), (PLACED, line)):
-            for stroke in strokes:
-                draw.line(stroke, colour, width, joint="curve")
+        side = min(placement.width, placement.height) * frame.zoom
+        line = round(stroke(side, most, least))
+        strokes = [frame.pixels((*placement.points, *placement.points[:2]))]
+        if side >= _ROOM * line:
+            strokes.append(frame.pixels(arrow(placement)))
+        for colour, width in ((WHITE, line + 2 * max(1, line // 3)), (PLACED, line)):
+            for points in strokes:
+                draw.line(points, colour, width, joint="curve")
 
 
 def number_placements(page: Image, frame: Frame, placements: Sequence[Placement]) -> None:
-    """Write the number of each placement that has a score at its corner, counted from 1."""
-    from PIL.ImageDraw import Draw
-
-    draw = Draw(page)
-    letters = font(max(12, min(page.size) // 60))
-    for number, placement in enumerate(placements, 1):
-        if placement.score is None:
-            continue
-        x, y = frame.pixel(max(placement.points, key=lambda point: point[1] - point[0]))
-        left, top, right, bottom = draw.textbbox((x, y), str(number), letters, "mm")
-        draw.rounded_rectangle((left - 4, top - 3, right + 4, bottom + 3), 5, PLACED, WHITE)
-        draw.text((x, y), str(number), WHITE, letters, "mm")
+    """Write the number of each placement that has a score on it or beside it, counted from 1."""
+    draw_badges(page, badges(placements, frame), PLACED)

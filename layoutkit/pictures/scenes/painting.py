@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from layoutkit.model import Polygon, Scene
+from layoutkit.pictures.legend import with_legend
 from layoutkit.pictures.palette import colour_of_labels, darker
 from layoutkit.pictures.scenes.frame import Frame, ground
-from layoutkit.pictures.scenes.marks import number_placements, outline_placements
+from layoutkit.pictures.scenes.marks import number_placements, outline_placements, stroke
+from layoutkit.pictures.scenes.meanings import entries, meanings
 from layoutkit.pictures.scenes.order import outermost_first
 
 if TYPE_CHECKING:
@@ -32,11 +34,21 @@ BACKGROUND = "#ffffff"
 def render_scene(
     scene: Scene, photo: Image | None = None, *, scale: float = 1.0, longest: int = LONGEST
 ) -> Image:
-    """Return a picture of a scene.
+    """Return a picture of a scene, with a legend that says which colour is which label.
+
+    The legend stands below, or beside what is much higher than wide; the parameters are those of `drawing`.
+    A scene without any shape has none.
+    """
+    page, found = drawing(scene, photo, scale=scale, longest=longest), meanings(scene)
+    return with_legend(page, entries(found)) if found else page
+
+
+def drawing(scene: Scene, photo: Image | None = None, *, scale: float = 1.0, longest: int = LONGEST) -> Image:
+    """Return a picture of a scene without a legend.
 
     Polygons are coloured by label, over the photo if there is one; edges and corners that have labels of
     their own are drawn in their colours. Placements are outlined, with half an arrow along their own x axis;
-    those with scores are numbered in their order.
+    those with scores are numbered in their order. Lines and numbers are smaller on small shapes.
 
     Parameters
     ----------
@@ -69,7 +81,7 @@ def painted(scene: Scene, frame: Frame, photo: Image | None) -> Image:
     page = _ground(scene, large, photo)
     line = line_of(large)
     page.paste(*_layer(scene.polygons, large, line, 255 if photo is None else OVER_PHOTO))
-    outline_placements(page, large, scene.placements, 2 * line)
+    outline_placements(page, large, scene.placements, 2 * line, SMOOTH)
     return page.reduce(SMOOTH)
 
 
@@ -101,10 +113,11 @@ def _layer(
     for polygon in outermost_first(polygons):
         colour, ring = colour_of_labels(polygon.labels), frame.pixels(polygon.points)
         around = [*ring, *ring[:2]]
+        thin = round(stroke(side_of(ring), line, 1))
         draw.polygon(ring, colour)
         cut.polygon(ring, cover)
-        draw.line(around, darker(colour), line, joint="curve")
-        cut.line(around, 255, line, joint="curve")
+        draw.line(around, darker(colour), thin, joint="curve")
+        cut.line(around, 255, thin, joint="curve")
     for polygon in polygons:
         _own_labels(draw, cut, polygon, frame.pixels(polygon.points), line)
     return layer, (0, 0), mask
@@ -114,10 +127,17 @@ def _own_labels(
     draw: ImageDraw, cut: ImageDraw, polygon: Polygon, ring: Sequence[tuple[float, float]], line: int
 ) -> None:
     """Draw the edges and corners that have labels of their own."""
+    thick = max(line, round(stroke(side_of(ring), 3 * line, 1)))
     for index, labels in polygon.edges:
         ends = [ring[index], ring[(index + 1) % len(ring)]]
-        draw.line(ends, colour_of_labels(labels), 3 * line)
-        cut.line(ends, 255, 3 * line)
+        draw.line(ends, colour_of_labels(labels), thick)
+        cut.line(ends, 255, thick)
     for index, labels in polygon.corners:
-        draw.circle(ring[index], 3 * line, colour_of_labels(labels))
-        cut.circle(ring[index], 3 * line, 255)
+        draw.circle(ring[index], thick, colour_of_labels(labels))
+        cut.circle(ring[index], thick, 255)
+
+
+def side_of(ring: Sequence[tuple[float, float]]) -> float:
+    """Return the shorter side of the upright box about some points."""
+    xs, ys = [x for x, _ in ring], [y for _, y in ring]
+    return min(max(xs) - min(xs), max(ys) - min(ys))
