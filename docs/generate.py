@@ -249,14 +249,23 @@ def _parameter(parameter: Any) -> str:
     """Return a row of a command's table."""
     if parameter.param_type_name == "argument":
         return f"| `{parameter.metavar or parameter.name.upper()}` | {_cell(parameter.help or '')} |"
-    value = f" {parameter.metavar}" if parameter.metavar else "" if parameter.is_flag else " N"
+    value = "" if parameter.is_flag else f" {_value(parameter)}"
     help_text = parameter.help or ""
     if parameter.required:
         help_text += " Required."
-    elif parameter.default is not None and not parameter.is_flag:
+    elif parameter.default not in (None, "") and not parameter.is_flag:
         help_text += f" By default {parameter.default}."
     names = ", ".join(f"`{name}`" for name in (*parameter.opts[:-1], parameter.opts[-1] + value))
-    return f"| {names} | {_cell(help_text)} |"
+    return f"| {_cell(names)} | {_cell(help_text)} |"
+
+
+def _value(parameter: Any) -> str:
+    """Return what stands for an option's value: what it is called, its choices, or a number or text."""
+    if parameter.metavar:
+        return str(parameter.metavar)
+    if choices := getattr(parameter.type, "choices", ()):
+        return "|".join(map(str, choices))
+    return "N" if parameter.type.name.split()[0] in ("integer", "float") else "TEXT"
 
 
 PAGES = {"constraints.md": constraints_page, "codes.md": codes_page, "commands.md": commands_page}

@@ -15,12 +15,13 @@ from layoutkit.cli.exits import exit_of
 from layoutkit.cli.options import Json
 from layoutkit.cli.recognising import recognising
 from layoutkit.cli.scene_conversion import convert_all, convert_scene, is_scene_file
+from layoutkit.cli.scenes import nothing_in
 from layoutkit.cli.session import Session
-from layoutkit.diagnostics import Diagnostic, Faulty, Place, blame
+from layoutkit.diagnostics import Diagnostic, Faulty, Place, blame, did_you_mean
 from layoutkit.model import Facade, place
 
 if TYPE_CHECKING:
-    from layoutkit.hooks import Format
+    from layoutkit.hooks import Format, SceneFormat
 
 EXAMPLES = """
 Examples:
@@ -145,19 +146,27 @@ def _format(annotation: Path, name: str | None, session: Session) -> Format:
     formats = session.host.formats
     if name is not None:
         load(annotation)  # whether it can be read is said first
-        return formats.find(name)
+        try:
+            return formats.find(name)
+        except Faulty as faulty:  # those of scenes were possible as well
+            *failed, unknown = faulty.diagnostics
+            hint = did_you_mean(name, [*formats, *session.host.scene_formats])
+            raise Faulty([*failed, replace(unknown, hint=hint)]) from None
     fitting = recognising(session, annotation)
     if len(fitting) == 1:
         return fitting[0]
-    raise Faulty([_undecided(annotation, fitting or list(formats.values()), bool(fitting))])
+    every: list[Format | SceneFormat] = [*formats.values(), *session.host.scene_formats.values()]
+    raise Faulty([_undecided(annotation, fitting or every, bool(fitting))])
 
 
-def _undecided(annotation: Path, choice: Sequence[Format], fitting: bool) -> Diagnostic:
+def _undecided(annotation: Path, choice: Sequence[Format | SceneFormat], fitting: bool) -> Diagnostic:
+    if empty := nothing_in(annotation):
+        return empty
     return Diagnostic(
         "LK703",
         "several formats recognise this file" if fitting else "no format recognises this file",
         Place(str(annotation)),
         "name one with --format" if choice else "no format is loaded: see `layoutkit plugins`",
         topic="usage",
-        details=tuple(f"{candidate.name}: {candidate.summary}" for candidate in choice),
+        details=tuple(dict.fromkeys(f"{candidate.name}: {candidate.summary}" for candidate in choice)),
     )

@@ -29,7 +29,7 @@ def declared_by(cls: type, parameter: str) -> Callable[[Command], Command]:
 
     A field has its help in its metadata; a number is at least `least`, 0 unless the metadata say otherwise.
     What may be true or false is ``--name`` or ``--no-name``; of what there may be many, each is given by
-    itself.
+    itself. `metavar` in the metadata is what stands for a word, such as ``LABEL``.
 
     Parameters
     ----------
@@ -150,7 +150,8 @@ def _option(field: Field[Any], kind: Any) -> inspect.Parameter:
         annotation: Any = Annotated[bool, typer.Option(f"{name}/--no-{_written(field.name)}", help=told)]
     elif typing.get_origin(kind) is tuple:
         told = f"{told} May be given several times."
-        option = typer.Option(name, metavar="NAME", show_default=False, help=told)
+        metavar = field.metadata.get("metavar", "NAME")
+        option = typer.Option(name, metavar=metavar, show_default=False, help=told)
         annotation, default = Annotated[list[str] | None, option], None
     elif _numeric(kind):
         option = typer.Option(
@@ -162,7 +163,8 @@ def _option(field: Field[Any], kind: Any) -> inspect.Parameter:
         )
         annotation = Annotated[kind, option]
     else:
-        annotation = Annotated[kind, typer.Option(name, show_default=default is not None, help=told)]
+        metavar, shown = field.metadata.get("metavar"), default not in (None, "")
+        annotation = Annotated[kind, typer.Option(name, metavar=metavar, show_default=shown, help=told)]
     return inspect.Parameter(
         field.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation
     )

@@ -13,6 +13,7 @@ from layoutkit.cli.declared import declared_by
 from layoutkit.cli.editing import keep, misused
 from layoutkit.cli.exits import EXITS
 from layoutkit.cli.options import Json
+from layoutkit.cli.scene_files import unknown_suffix
 from layoutkit.cli.scenes import read_scene
 from layoutkit.cli.session import Session
 from layoutkit.hooks import Outcome
@@ -78,6 +79,8 @@ def learn(
     Writes a placement model, which `layoutkit place` takes instead of examples.
     """
     session = Session.of(context)
+    if output.suffix.lower() != ".xml":
+        raise unknown_suffix(output, (".xml",))
     keep(output, files)
     outcome = learned(session, files, parts, label, chosen, settings)
     model = outcome.document

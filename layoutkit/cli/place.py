@@ -33,13 +33,15 @@ Examples:
 @declared_by(Spacing, "spacing")
 def place(
     context: typer.Context,
+    *,
     examples: Annotated[
-        list[Path],
+        list[Path] | None,
         typer.Argument(
             metavar="EXAMPLES...",
             help="Scenes with examples, any kind of file; or a placement model that `layoutkit learn` made.",
+            show_default=False,
         ),
-    ],
+    ] = None,
     scene_file: Annotated[
         Path, typer.Argument(metavar="SCENE", help="The scene to place shapes in; any kind of file.")
     ],
@@ -70,8 +72,10 @@ def place(
     """
     session = Session.of(context)
     targets = Targets(output, heat, contributions, scale)
-    targets.check([*examples, scene_file])
-    model = _model(session, context, examples, parts, label, chosen, settings)
+    files = examples or []
+    targets.check([*files, scene_file])
+    _check_order(files, scene_file)
+    model = _model(session, context, files, parts, label, chosen, settings)
     scene = read_scene(session, scene_file, part)
     if afresh:
         from layoutkit.cli.clearing import cleared
@@ -86,6 +90,34 @@ def place(
     (outcome,) = session.run("place", scene, model=model, **asked)
     session.report(outcome.diagnostics)
     return finish(session, outcome, scene, scene_file, targets, as_json)
+
+
+def _check_order(files: Sequence[Path], scene_file: Path) -> None:
+    """Raise `Faulty` unless there are examples or one model, and a scene behind them."""
+    from layoutkit.documents import is_placement_model
+
+    models = [file for file in files if is_placement_model(file)]
+    if is_placement_model(scene_file):
+        told = f"{scene_file} is a placement model, and stands where the scene is to be"
+        if not files:
+            raise misused(told, f"name the scene behind it: `layoutkit place {scene_file} SCENE -o OUT.png`")
+        if models:
+            raise misused(told, "name one model, and behind it the scene")
+        raise misused(told, f"name the model first: `layoutkit place {scene_file} {files[-1]} -o OUT.png`")
+    if not files:
+        hint = (
+            f"name examples, or a model, before the scene: `layoutkit place EXAMPLES {scene_file} -o OUT.png`"
+        )
+        raise misused(f"only one file is named, {scene_file}: there is nothing to place shapes by", hint)
+    if len(models) > 1:
+        named = ", ".join(map(str, models))
+        hint = f"name one alone: `layoutkit place {models[0]} {scene_file} -o OUT.png`"
+        raise misused(
+            f"{len(models)} placement models are named, and shapes are placed by one: {named}", hint
+        )
+    if models and len(files) > 1:
+        hint = f"name it alone: `layoutkit place {models[0]} {scene_file} -o OUT.png`"
+        raise misused(f"{models[0]} is a placement model, and others are named with it", hint)
 
 
 def _model(
@@ -105,8 +137,6 @@ def _model(
         document = learned(session, files, parts, label, chosen, settings).document
         assert isinstance(document, PlacementModel)
         return document
-    if len(files) > 1:
-        raise misused(f"{models[0]} is a placement model, and others are named with it", "name it alone")
     options = [*(["--examples"] if chosen else []), *(["--example-part"] if parts else [])]
     options += given(context, LearningSettings)
     if options:

@@ -49,6 +49,8 @@ def read_scene(
         read = documents.read_scene(path)
         session.report(read.diagnostics)
         return read.scene
+    if format_name is None and documents.is_placement_model(path):
+        raise Faulty([_a_model(path)])
     if format_name is None and is_tree(path):
         from layoutkit.scenes.regions import scene_of
 
@@ -115,6 +117,27 @@ def scene_format(session: Session, path: Path, name: str | None = None) -> Scene
     raise Faulty([_undecided(path, fitting or list(session.host.scene_formats.values()), bool(fitting))])
 
 
+def nothing_in(path: Path) -> Diagnostic | None:
+    """Return the diagnostic of a file that is empty; None where there is something in it.
+
+    Raises
+    ------
+    Faulty
+        If it cannot be read.
+    """
+    from layoutkit.documents import load
+
+    if load(path).strip():
+        return None
+    return Diagnostic(
+        "LK703",
+        "nothing can be made of this file: it is empty",
+        Place(str(path)),
+        "write it once more, or name another file",
+        topic="usage",
+    )
+
+
 def is_tree(path: Path) -> bool:
     """Tell whether a file is a facade or layout, or another document of ours that their reader tells of."""
     from layoutkit.cli.gathering import root_name
@@ -170,7 +193,19 @@ def _quoted(part: str) -> str:
     return shlex.quote(part)
 
 
+def _a_model(path: Path) -> Diagnostic:
+    return Diagnostic(
+        "LK101",
+        "<placement-model> is no scene",
+        Place(str(path)),
+        f"name a scene; `layoutkit place {path} SCENE -o OUT.png` places shapes as the model says",
+        topic="schema",
+    )
+
+
 def _undecided(path: Path, choice: Sequence[SceneFormat], fitting: bool) -> Diagnostic:
+    if empty := nothing_in(path):
+        return empty
     return Diagnostic(
         "LK703",
         "several formats of scenes recognise this file"

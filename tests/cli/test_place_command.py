@@ -123,6 +123,68 @@ def test_a_model_cannot_be_learned_again(rooms: tuple[Path, Path], tmp_path: Pat
         assert (run.code, told in run.err) == (2, True), told
 
 
+def test_files_in_another_order_are_told(rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any) -> None:
+    model, out = tmp_path / "tables.xml", tmp_path / "out.xml"
+    room, flat = rooms
+    layoutkit("learn", room, "-o", model)
+    stands = f"{model} is a placement model, and stands where the scene is to be"
+    for arguments, told, hint in (
+        ([flat, model], stands, f"name the model first: `layoutkit place {model} {flat} -o OUT.png`"),
+        ([model], stands, f"name the scene behind it: `layoutkit place {model} SCENE -o OUT.png`"),
+        ([model, model], stands, "name one model, and behind it the scene"),
+        ([room], f"only one file is named, {room}", f"`layoutkit place EXAMPLES {room} -o OUT.png`"),
+        ([model, model, flat], "2 placement models", f"name one alone: `layoutkit place {model} {flat}"),
+        ([model, room, flat], "others are named with it", f"name it alone: `layoutkit place {model} {flat}"),
+    ):
+        run = layoutkit("place", *arguments, "-o", out)
+        assert (run.code, told in run.err, hint in run.err) == (2, True, True), run.err
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("command", [["learn"], ["propagate", "--shape", "Chair_1"], ["place", "{room}"]])
+def test_what_is_no_scene_is_told(
+    rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any, command: list[str]
+) -> None:
+    asked, out = [word.format(room=rooms[0]) for word in command], tmp_path / "out.xml"
+    empty, folder, model = tmp_path / "empty.xml", tmp_path / "folder", tmp_path / "model.xml"
+    empty.write_text("\n", encoding="utf-8")
+    folder.mkdir()
+    (folder / "flat.xml").write_bytes(rooms[1].read_bytes())
+    layoutkit("learn", rooms[0], "-o", model)
+    for file, told, hint in (
+        (empty, "it is empty", "write it once more, or name another file"),
+        (folder, "Is a directory", "it holds flat.xml"),
+        (folder / "flt.xml", "cannot be read", "did you mean 'flat.xml'?"),
+        (model, "placement", f"`layoutkit place {model} "),
+    ):
+        run = layoutkit(*asked, file, "-o", out)
+        assert (run.code in (1, 2), told in run.err, hint in run.err) == (True, True, True), run.err
+    assert not out.exists()
+
+
+def test_what_is_learned_is_written_as_xml(rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any) -> None:
+    for name in ("model.png", "model"):
+        run = layoutkit("learn", rooms[0], "-o", tmp_path / name)
+        assert (run.code, "LK703" in run.err, "end the file's name in .xml" in run.err) == (2, True, True)
+        assert not (tmp_path / name).exists()
+    assert layoutkit("learn", rooms[0], "-o", tmp_path / "model.XML").code == 0
+
+
+def test_formats_of_scenes_are_known_to_convert(
+    rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any
+) -> None:
+    empty, out = tmp_path / "empty", tmp_path / "out.xml"
+    empty.write_bytes(b"")
+    near = layoutkit("convert", rooms[0], "-o", out, "--format", "gejson")
+    assert (near.code, "did you mean 'geojson'?" in near.err) == (2, True)
+    none = layoutkit("convert", rooms[0], "-o", out, "--format", "xyzzy")
+    assert "known are: cmp, geojson, geopackage, mask" in none.err
+    assert "it is empty" in layoutkit("convert", empty, "-o", out).err
+    empty.write_bytes(b"\x00\x01 nothing that is known")
+    unknown = layoutkit("convert", empty, "-o", out)
+    assert ("geojson: " in unknown.err, "mask: " in unknown.err) == (True, True)
+
+
 def test_scenes_without_examples_are_told(rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any) -> None:
     run = layoutkit("place", rooms[1], rooms[0], "-o", tmp_path / "out.xml")
     assert "LK871" in run.err

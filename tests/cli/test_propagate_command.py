@@ -82,6 +82,14 @@ def test_help_tells_of_the_settings_of_the_stage(layoutkit: Any) -> None:
     assert all(f"--{name}" in shown for name in ("shape", "density", "samples", "space", "directions"))
 
 
+def test_reference_tells_what_options_take() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "reference" / "commands.md").read_text(encoding="utf-8")
+    assert "By default ." not in page
+    assert "How many poses of each shape at most in each polygon" in page
+    for told in ("`--space positions\\|poses`", "`--scope LABEL`", "`--clearances LABEL=DISTANCE`"):
+        assert f"| {told} |" in page
+
+
 def test_what_has_the_label_is_taken_out_first(
     rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any
 ) -> None:
@@ -116,6 +124,46 @@ def test_what_makes_no_sense_is_refused(
     assert run.code == 2
     assert told in run.err
     assert not (tmp_path / "out.png").exists()
+
+
+def test_clearances_are_of_labels_that_there_are(
+    rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any
+) -> None:
+    source, target = rooms
+    common = ["propagate", target, "--from", source, "--shape", "NightTable_1", "--points", "2000"]
+    common += ["-o", tmp_path / "out.xml"]
+    wrong = layoutkit(*common, "--clearances", "Dor=1")
+    assert "error LK865 placement: clearances has Dor, a label that flat lacks" in wrong.err
+    assert "did you mean 'Door'?" in wrong.err
+    assert not (tmp_path / "out.xml").exists()
+    assert layoutkit(*common, "--clearances", "Door=0.1").code == 0
+
+
+def test_an_array_of_too_many_is_refused(rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any) -> None:
+    shapes = ["--shape", "NightTable_1", "--shape", "NightTable_2", "--points", "2000"]
+    run = layoutkit("propagate", rooms[0], *shapes, "--array", "1e-9", "-o", tmp_path / "out.xml")
+    assert (run.code, "LK865" in run.err, "give it a spacing of at least" in run.err) == (1, True, True)
+    assert not (tmp_path / "out.xml").exists()
+
+
+def test_boxes_are_kept_below_windows(tmp_path: Path, layoutkit: Any) -> None:
+    """As the how-to page has it: by default, some lie upside down above them."""
+    sample: Any = find_sample("flowers")
+    windows = [p for p in read_scene(sample.target).scene.polygons if "Window" in p.labels]
+    common = ["propagate", sample.target, "--from", sample.examples, "--shape", "FlowerBox_1"]
+    common += ["-o", tmp_path / "out.xml", "--json"]
+    own = ["--relationships", "centroid-direction", "--relationships", "boundary-distance"]
+    either, below = (
+        [Placement(**values) for values in layoutkit(*common, *own, "--threshold", least).data["placements"]]
+        for least in ("0.6", "0.65")
+    )
+    assert any(abs(abs(p.angle) - 180) < 1 for p in either)
+    assert len(below) == 12
+    for placement in below:
+        assert placement.angle == pytest.approx(0, abs=1)
+        sills = [window.points[:2] for window in windows]
+        near = [abs(y - placement.y) for (left, y), (right, _) in sills if left < placement.x < right]
+        assert min(near) == pytest.approx(0.15, abs=0.1), "below the sill, and not above the window"
 
 
 def test_inputs_are_not_written_over(rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any) -> None:

@@ -10,7 +10,8 @@ CODES = (
         "LK864",
         "shape that goes nowhere",
         "No place that was found is like the shape's own to the degree that is asked for; or shapes would "
-        "overlap there what the shape does not overlap, or other shapes.",
+        "overlap there what the shape does not overlap, or other shapes. So it is of shapes that are carried "
+        "over: about no corner, or where there is no room.",
         "Surroundings that have little in common, or rooms that are full.",
         "Lower the threshold, or allow overlaps, as the hint says.",
         severity=Severity.NOTE,
@@ -19,7 +20,8 @@ CODES = (
         "LK865",
         "propagation that makes no sense",
         "There is no shape to propagate, it has no size, or a setting is of no use as it stands.",
-        "A misspelt name, a number out of its range, or an array with one end.",
+        "A misspelt name or label, a number out of its range, an array with one end, or one with a tiny "
+        "spacing.",
         "Do as the hint says.",
     ),
     Code(

@@ -9,15 +9,19 @@ from typing import Any
 
 import numpy as np
 
+from layoutkit.diagnostics import Faulty
 from layoutkit.model.scene import Placement, Polygon
 from layoutkit.scenes.features import Array, Features
 from layoutkit.scenes.shapes import shapes
 from layoutkit.scenes.view import View
 from layoutkit_placement.functions.directional import wrapped
 from layoutkit_placement.functions.tangents import around_polygons, tangents
+from layoutkit_placement.propagation import remarks
 
 #: A last shape this near to the first, in spacings, closes the round.
 CLOSED = 0.5
+#: An array has at most so many shapes.
+MOST = 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +61,11 @@ def array(pair: Pair, spacing: float) -> tuple[Placement, ...]:
     They stand on the curve at the first one's distance from the boundary, on the shorter way to the place
     on it that is nearest to the last; all around where both are at one place. Each keeps the first
     one's angle to the boundary.
+
+    Raises
+    ------
+    Faulty
+        If there were more than `MOST` (LK865).
     """
     curve = _offset(pair)
     if curve is None:
@@ -64,7 +73,9 @@ def array(pair: Pair, spacing: float) -> tuple[Placement, ...]:
     begin, end = (_along(curve, shape) for shape in (pair.first, pair.last))
     length = float(curve.length)
     way = (end - begin + length / 2) % length - length / 2
-    if abs(way) < CLOSED * spacing:
+    closed = abs(way) < CLOSED * spacing
+    _check(pair, length if closed else abs(way), spacing)
+    if closed:
         count = max(1, round(length / spacing))
         arcs = begin + np.arange(count) * (length / count)
     else:
@@ -72,6 +83,13 @@ def array(pair: Pair, spacing: float) -> tuple[Placement, ...]:
         arcs = begin + math.copysign(spacing, way) * np.arange(count)
     points = np.array([curve.interpolate(arc % length).coords[0] for arc in arcs])
     return tuple(_turned(pair, points))
+
+
+def _check(pair: Pair, length: float, spacing: float) -> None:
+    """Raise `Faulty` where more shapes than may be stand on so much of a curve."""
+    count = length / spacing + 1
+    if count > MOST:
+        raise Faulty([remarks.too_many(pair.first, count, MOST, length / (MOST - 1))])
 
 
 def _turned(pair: Pair, points: Array) -> Iterator[Placement]:

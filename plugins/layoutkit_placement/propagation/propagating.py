@@ -14,7 +14,7 @@ from layoutkit.model.scene import Placement
 from layoutkit_placement.areas import Area
 from layoutkit_placement.propagation import remarks
 from layoutkit_placement.propagation.arrays import CLOSED, array, pairs
-from layoutkit_placement.propagation.carrying import carried_shapes
+from layoutkit_placement.propagation.carrying import best_corner, carried_shapes
 from layoutkit_placement.propagation.dense import contributions_at
 from layoutkit_placement.propagation.heat import Heat
 from layoutkit_placement.propagation.matching import Matching
@@ -168,12 +168,21 @@ class _Run:
         if not own.parent:
             self.remarks.append(remarks.stands_in_none(prepared.queries[0].placement))
             return
-        for area in self._areas(0):
-            for group in carried_shapes(prepared.task.settings, own, area, prepared.task.shapes):
+        areas, shapes, ways, placed = self._areas(0), prepared.task.shapes, 0, 0
+        for area in areas:
+            for group in carried_shapes(prepared.task.settings, own, area, shapes):
+                ways += 1
                 for shape, placement in enumerate(group):
                     rules = replace(prepared.rules(shape, area, prepared.occupied), radius=0.0)
                     if list(taken([placement], rules, Limit(0), None)):
+                        placed += 1
                         yield _Placed(placement)
+        if areas and not placed:
+            best, threshold = best_corner(own, areas, shapes), prepared.task.settings.threshold
+            self.remarks.extend(
+                remarks.none_free(shape, ways) if ways else remarks.no_corner_alike(shape, best, threshold)
+                for shape in shapes
+            )
 
 
 def _contributions(placed: Sequence[_Placed]) -> Iterator[Mapping[str, float]]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.model.scene import Placement
 from layoutkit.scenes.features import Labels
@@ -27,6 +29,21 @@ def none_good(placement: Placement, best: float, threshold: float) -> Diagnostic
         placement,
         f"the best place keeps {best:.2g} of its relationships, and the threshold is {threshold:g}",
         "lower the threshold to see it",
+    )
+
+
+def no_corner_alike(placement: Placement, best: float | None, threshold: float) -> Diagnostic:
+    """Say that a shape is carried nowhere, and how good the best corner is; None: there is none at all."""
+    if best is None:
+        return _nowhere(
+            placement,
+            "the polygon that it stands in has no corner, or those like it have none",
+            "carry it by the boundary instead",
+        )
+    return _nowhere(
+        placement,
+        f"the corner most like its own is so by {best:.2g}, and the threshold is {threshold:g}",
+        "lower the threshold to see it, or carry it by the boundary",
     )
 
 
@@ -75,6 +92,18 @@ def no_array(area: str) -> Diagnostic:
     )
 
 
+def too_many(first: Placement, count: float, most: int, least: float) -> Diagnostic:
+    """Say that an array would have too many shapes, and from which spacing on it would not."""
+    shown = f"about {count:.3g}" if math.isfinite(count) else "countless"
+    return Diagnostic(
+        "LK865",
+        f"the array from {_named(first)} would have {shown} shapes, and may have {most}",
+        first.place,
+        hint=f"give it a spacing of at least {_rounded_up(least):g}",
+        topic=_TOPIC,
+    )
+
+
 def stands_in_none(placement: Placement) -> Diagnostic:
     """Say that a shape stands in no polygon, whose coordinates would carry it."""
     return Diagnostic(
@@ -85,6 +114,12 @@ def stands_in_none(placement: Placement) -> Diagnostic:
         severity=Severity.WARNING,
         topic=_TOPIC,
     )
+
+
+def _rounded_up(number: float) -> float:
+    """Return the next number with two digits."""
+    digit = 10.0 ** (math.floor(math.log10(number)) - 1)
+    return math.ceil(number / digit) * digit
 
 
 def _named(placement: Placement) -> str:

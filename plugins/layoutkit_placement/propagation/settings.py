@@ -6,15 +6,16 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 
-def _setting(default: Any, help: str) -> Any:
-    return field(default=default, metadata={"help": help})
+def _setting(default: Any, help: str, **more: Any) -> Any:
+    return field(default=default, metadata={"help": help, **more})
 
 
 @dataclass(frozen=True, slots=True)
 class PropagationSettings:
     """What propagation goes by.
 
-    Every field has a help text in its metadata, from which commands' options follow.
+    Every field has a help text in its metadata, from which commands' options follow; some also have what
+    stands for their value there, as `metavar`.
     """
 
     threshold: float = _setting(
@@ -25,10 +26,15 @@ class PropagationSettings:
         "Radius within which only the best pose is taken (non-maximum suppression), in diagonals of shapes.",
     )
     matches: int = _setting(
-        0, "How many poses at most in each polygon of a label, best first; 0: any number."
+        0,
+        "How many poses of each shape at most in each polygon that shapes stand in, best first; 0: any "
+        "number.",
     )
     matches_in: str = _setting(
-        "", "The label of the polygons that `matches` counts in; none: those that shapes stand in."
+        "",
+        "The label of the polygons that `matches` counts in instead, all that is inside of them included; "
+        "none: those that shapes stand in.",
+        metavar="LABEL",
     )
     mirrored: bool = _setting(False, "Whether mirrored poses are looked for as well.")
     space: Literal["positions", "poses"] = _setting(
@@ -48,6 +54,7 @@ class PropagationSettings:
         (),
         "By how much polygons of a label are enlarged where overlaps are looked for, in document units, as "
         "in Door=0.6.",
+        metavar="LABEL=DISTANCE",
     )
     array: float = _setting(
         0.0,
@@ -60,7 +67,9 @@ class PropagationSettings:
         "lengths along the boundary of the polygon that they stand in, or about its nearest corner.",
     )
     scope: str = _setting(
-        "", "In each polygon of this label, one of several shapes is drawn at random, and alone propagated."
+        "",
+        "In each polygon of this label, one of several shapes is drawn at random, and alone propagated.",
+        metavar="LABEL",
     )
     samples: int = _setting(
         0,

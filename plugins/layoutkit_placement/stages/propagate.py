@@ -66,7 +66,8 @@ class Propagate(Stage):
         Raises
         ------
         Faulty
-            If there is no shape, a shape has no size, or a setting makes no sense (LK865).
+            If there is no shape, a shape has no size, or a setting makes no sense, such as an array of too
+            many shapes (LK865).
         """
         from layoutkit.scenes.soundness import examined
         from layoutkit.sizing.threads import single_threaded
@@ -154,16 +155,21 @@ def _setting_faults(settings: PropagationSettings, target: Scene) -> Iterator[Di
             yield _fault(f"{one} and {other} do not go together", f"leave one of them: {one} has no effect")
     for entry in settings.clearances:
         try:
-            _, distance = _clearance(entry)
+            label, distance = _clearance(entry)
         except ValueError:
-            distance = -1.0
+            label, distance = "", -1.0
         if not (math.isfinite(distance) and distance >= 0):
             yield _fault(f"clearances has {entry!r}", "write a label and a distance, as in Door=0.6")
+        else:
+            yield from _unknown_label(f"clearances has {label}", label, target)
     for name in ("scope", "matches_in"):
-        label = getattr(settings, name)
-        if label and label not in target.labels:
-            hint = did_you_mean(label, target.labels)
-            yield _fault(f"{name} is {label}, a label that {target.name} lacks", hint)
+        if label := getattr(settings, name):
+            yield from _unknown_label(f"{name} is {label}", label, target)
+
+
+def _unknown_label(said: str, label: str, target: Scene) -> Iterator[Diagnostic]:
+    if label not in target.labels:
+        yield _fault(f"{said}, a label that {target.name} lacks", did_you_mean(label, target.labels))
 
 
 #: What settings are at most: what is beyond takes more memory than there is.

@@ -10,8 +10,9 @@ import pytest
 import shapely
 from propagation_drawn import outcome, placed, scene
 
+from layoutkit.diagnostics import Faulty
 from layoutkit.model import Placement, Polygon, Scene
-from layoutkit_placement.propagation.arrays import Pair, array, pairs
+from layoutkit_placement.propagation.arrays import MOST, Pair, array, pairs
 
 GARDEN = Polygon.rectangle("garden", 0, 0, 20, 12, ("garden",))
 POND = Polygon.rectangle("pond", 6, 4, 14, 8, ("pond",))
@@ -55,6 +56,21 @@ def test_around_a_fountain(last: Placement) -> None:
     for each in row:  # all look as the first does, along the edge
         around = math.degrees(math.atan2(each.y - 6, each.x - 10)) + 90
         assert math.cos(math.radians(each.angle - around)) == pytest.approx(1, abs=0.01)
+
+
+@pytest.mark.parametrize("last", [bush(13, 3), bush(7, 3)], ids=["row", "round"])
+@pytest.mark.parametrize("spacing", [1e-9, 1e-320])
+def test_an_array_has_a_bounded_number_of_shapes(last: Placement, spacing: float) -> None:
+    pair = Pair(bush(7, 3), last, POND)
+    with pytest.raises(Faulty) as raised:
+        array(pair, spacing)
+    (told,) = raised.value.diagnostics
+    assert told.code == "LK865"
+    assert f"may have {MOST}" in told.message
+    least = float(told.hint.rpartition(" ")[2])
+    assert 0.9 * MOST < len(array(pair, least)) <= MOST, "what the hint says will do, and hardly less"
+    with pytest.raises(Faulty):
+        array(pair, 0.9 * least)
 
 
 def test_pairs_belong_to_one_polygon() -> None:

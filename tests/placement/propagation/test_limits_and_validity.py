@@ -125,6 +125,14 @@ def test_density_and_numbers_are_limited() -> None:
         assert all(math.dist((one.x, one.y), (p.x, p.y)) > reach for p in sparse[k + 1 :])
 
 
+def test_matches_are_counted_for_each_shape() -> None:
+    """Two chairs at a table, one of each kind of place."""
+    target, source = scene([ROOM, TABLE], "copy"), scene([ROOM, TABLE])
+    beside = Placement(6.8, 4.5, 0.5, 0.5, 180, "chair")
+    found = placed(target, [CHAIR, beside], source, matches=1, threshold=0.4, points=8000)
+    assert len(found) == 2
+
+
 def test_matches_are_counted_in_polygons_of_a_label() -> None:
     """Beds are areas, gardens are what is counted in."""
     beds = [

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from propagation_drawn import moved, outcome, placed, random_area, scene
 
+from layoutkit.diagnostics import Diagnostic
 from layoutkit.model import Placement, Polygon, Scene
 from layoutkit.scenes.features import Features
 from layoutkit_placement.propagation.coordinates import BoundaryCoordinates, CornerCoordinates, carried
@@ -102,6 +105,57 @@ def test_about_a_corner() -> None:
         *((10.5, 0.4), (11.0, 0.4), (14.6, 0.5), (14.6, 1.0)),
         *((14.5, 3.6), (14.0, 3.6), (10.4, 3.5), (10.4, 3.0)),
     }
+
+
+BOX = Placement(0.5, 0.4, 0.3, 0.2, 0, "box")
+
+
+def carried_nowhere(room: Polygon, *others: Polygon, **settings: Any) -> Diagnostic:
+    """Return what is said of a box that is carried nowhere from a room."""
+    found = outcome(scene(others, "hall"), [BOX], scene([room]), **settings)
+    assert isinstance(found.document, Scene)
+    assert not found.document.placements
+    (told,) = found.diagnostics
+    return told
+
+
+def test_why_nothing_is_carried_is_told() -> None:
+    room = Polygon.rectangle("r", 0, 0, 5, 4, ("room",))
+    alike = moved(room, 0, 10, 0)
+    hall = carried_nowhere(room, Polygon.rectangle("h", 0, 0, 5, 4, ("hall",)), carry="boundary")
+    assert hall.code == "LK867"
+    flat = Polygon("f", ((0, 0), (9, 0), (8, 1)), ("room",))
+    unlike = carried_nowhere(room, flat, carry="corner", threshold=0.95)
+    assert (unlike.code, "the corner most like its own is so by 0." in unlike.message) == ("LK864", True)
+    assert "the threshold is 0.95" in unlike.message
+    desk = Polygon.rectangle("d", 10, 0, 15, 4, ("desk",))
+    full = carried_nowhere(room, alike, desk, carry="boundary")
+    assert (full.code, "it would overlap" in full.message) == ("LK864", True)
+    corners = carried_nowhere(room, alike, desk, carry="corner")
+    assert (corners.code, "at all of 4 places that were found" in corners.message) == ("LK864", True)
+
+
+def test_round_polygons_have_no_corner_to_carry_by() -> None:
+    turn = [math.tau * k / 96 for k in range(96)]
+    pond = Polygon("p", tuple((3 * math.cos(a), 3 * math.sin(a)) for a in turn), ("room",))
+    told = carried_nowhere(pond, moved(pond, 0, 10, 0), carry="corner")
+    assert (told.code, "no corner" in told.message) == ("LK864", True)
+    assert told.hint == "carry it by the boundary instead"
+
+
+def test_what_is_drawn_to_be_carried_is_told_as_it_was_drawn() -> None:
+    """The reason is that of the rooms that were drawn, and the same for a seed."""
+    room = Polygon.rectangle("r", 0, 0, 5, 4, ("room",))
+    rooms = [moved(replace(room, name=f"r{k}"), 0, 10.0 * k, 0) for k in range(1, 5)]
+    desks = [Polygon.rectangle(f"d{k}", 10 * k, 0, 10 * k + 5, 4, ("desk",)) for k in range(1, 5)]
+    pair = [BOX, replace(BOX, x=1.2)]
+    options: dict[str, Any] = {"carry": "boundary", "scope": "room", "seed": 3}
+    free = placed(scene(rooms), pair, scene([room]), **options)
+    assert 0 < len(free) < 8
+    told = outcome(scene([*rooms, *desks]), pair, scene([room]), **options).diagnostics
+    count = len(free) // 2
+    where = "at the place" if count == 1 else f"at all of {count} places"
+    assert [where in d.message for d in told] == [True, True]
 
 
 def test_without_a_polygon_there_are_no_coordinates() -> None:
