@@ -81,6 +81,8 @@ class Baseline:
     floor
         Maxima of sample points below this share of the greatest are none; like the tolerance chosen on the
         half of the scenes for tuning.
+    contrast
+        Whether whole placements are told apart from boxes beside the examples, as layoutkit does.
     """
 
     name: str
@@ -88,12 +90,13 @@ class Baseline:
     relationships: tuple[Relationship, ...]
     tolerance: float
     floor: float
+    contrast: bool = False
     most: int = 5
 
     def fit(self, examples: Sequence[Example], settings: LearningSettings) -> Fitted:
         """Learn from examples."""
         own = replace(settings, tolerance=self.tolerance)
-        return Pooled(tuple(examples), own, self.relationships, self.comparison, self.floor)
+        return Pooled(tuple(examples), own, self.relationships, self.comparison, self.floor, self.contrast)
 
 
 @dataclass(frozen=True)
@@ -151,6 +154,7 @@ METHODS: Mapping[str, Method] = {
         Learned("learned", contrast=True),
         Learned("no contrast", contrast=False),
         Baseline("closest", Closest(), _of_the_paper(), 1.5, 0.5),
+        Baseline("closest contrast", Closest(), _of_the_paper(), 1.5, 0.5, contrast=True),
         Baseline("histogram", Histograms(), _of_the_paper(), 2.5, 0.5),
         Baseline("gaussian", Gaussian(), (CentroidOffset(),), 4.0, 0.1),
         Propagation(0.1),

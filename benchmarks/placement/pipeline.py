@@ -1,12 +1,13 @@
 """Placement by example with another similarity in the place of the SL0 kernel.
 
 All but the similarity is as in layoutkit's own learning, and is its code where that does not hang on the
-kernel: areas, grids, maxima of each sample point, boxes that they span, deformation, overlaps.
+kernel: areas, grids, maxima of each sample point, boxes that they span, deformation, overlaps. Maxima are
+refined on one finer grid under the similarity itself, and not on two under the assignments found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -22,13 +23,15 @@ from layoutkit.scenes.relationship import Relationship
 from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.grid import Grid
 from layoutkit_placement.learning.candidates import distinct, free_candidates, upright_candidates
+from layoutkit_placement.learning.contrast import aside
 from layoutkit_placement.learning.deformation import Deformation
 from layoutkit_placement.learning.descriptors import DEVIATIONS, FARTHEST
+from layoutkit_placement.learning.learner import orientations
 from layoutkit_placement.learning.limits import Limits
 from layoutkit_placement.learning.rating import apart
 from layoutkit_placement.learning.regression import weights
 from layoutkit_placement.learning.samples import SAMPLES, boxes_of, diagonals, sample_points
-from layoutkit_placement.learning.search import BOXES, MARGIN, RADIUS, STEP, most_maxima
+from layoutkit_placement.learning.search import BOXES, MARGIN, RADIUS, STEP, most_maxima, support_of
 from layoutkit_placement.learning.tiles import boxes_about, grid_over, near, tiles
 
 #: So many boxes are described at once, as they stand next to each other.
@@ -47,10 +50,12 @@ class Model:
     weights: Array
 
     @classmethod
-    def of(cls, comparison: Comparison, prepared: Sequence[Any], regularisation: float) -> Model:
-        """Return the regression that gives 1 for every example, nearly."""
+    def of(
+        cls, comparison: Comparison, prepared: Sequence[Any], targets: Array, regularisation: float
+    ) -> Model:
+        """Return the regression that gives each what it is to have, nearly."""
         gram = np.array([[float(comparison.alike(a, b)[0]) for b in prepared] for a in prepared])
-        own = weights((gram + gram.T) / 2, np.ones(len(prepared)), regularisation)
+        own = weights((gram + gram.T) / 2, targets, regularisation)
         return cls(comparison, tuple(prepared), own)
 
     def values(self, others: Any, count: int) -> Array:
@@ -69,6 +74,8 @@ class Pooled:
     ----------
     floor
         Maxima of sample points below this share of the greatest are none.
+    contrast
+        Whether whole placements are told apart from boxes beside the examples, as layoutkit does.
     """
 
     examples: tuple[Example, ...]
@@ -76,6 +83,7 @@ class Pooled:
     relationships: tuple[Relationship, ...]
     comparison: Comparison
     floor: float
+    contrast: bool
 
     def propose(self, scene: Scene) -> tuple[Placement, ...]:
         """Return placements, best first."""
@@ -131,13 +139,23 @@ class Pooled:
         for index in range(SAMPLES):
             own = [{kind: t.sample(index) for kind, t in each.items()} for each in self._described]
             prepared = [self.comparison.prepare(each, self._kinds, 1, 1) for each in own]
-            found.append(Model.of(self.comparison, prepared, self.settings.regularisation))
+            right = np.ones(len(prepared))
+            found.append(Model.of(self.comparison, prepared, right, self.settings.regularisation))
         return found
 
     @cached_property
     def _whole(self) -> Model:
-        prepared = [self.comparison.prepare(each, self._kinds, 1, SAMPLES) for each in self._described]
-        return Model.of(self.comparison, prepared, self.settings.regularisation)
+        wrong = list(self._contrasting()) if self.contrast else []
+        prepared = [
+            self.comparison.prepare(each, self._kinds, 1, SAMPLES) for each in (*self._described, *wrong)
+        ]
+        targets = np.array([1.0] * len(self.examples) + [0.0] * len(wrong))
+        return Model.of(self.comparison, prepared, targets, self.settings.regularisation)
+
+    def _contrasting(self) -> Iterator[Description]:
+        for box, area in zip(self._boxes, self._areas, strict=True):
+            for own in sample_points(aside(box)):
+                yield self._describer.describe(own[None], area.features)
 
     @cached_property
     def _deformation(self) -> Deformation:
@@ -170,7 +188,7 @@ class Pooled:
             boxes = np.concatenate([np.zeros((0, 5)), *spanned])
         else:
             boxes = free_candidates(points, area.angle, self._deformation)
-        support = _support(boxes, grid, values) * self._deformation.factors(boxes)
+        support = support_of(boxes, grid, values) * self._deformation.factors(boxes)
         return distinct(boxes, support, self._length / 2, BOXES * most)
 
     def _heat(self, area: Area, grid: Grid) -> Array:
@@ -217,10 +235,7 @@ class Pooled:
         return found
 
     def _angles(self, area: Area) -> tuple[float, ...]:
-        """Return the orientations of shapes in an area: as the examples' are, relative to theirs."""
-        own = [box[4] - each.angle for box, each in zip(self._boxes, self._areas, strict=True)]
-        turns = dict.fromkeys(round(float(np.degrees(angle)) % 360, 3) % 360 for angle in own)
-        return tuple(area.angle + float(np.radians(turn)) for turn in turns)
+        return orientations(self._boxes, [own.angle for own in self._areas], area)
 
 
 def maxima(points: Array, values: Array, radius: float, floor: float, most: int) -> Indices:
@@ -234,14 +249,3 @@ def maxima(points: Array, values: Array, radius: float, floor: float, most: int)
         found.append(top)
         left[((points - points[top]) ** 2).sum(axis=1) <= radius**2] = -np.inf
     return np.array(found, np.intp)
-
-
-def _support(boxes: Array, grid: Grid, values: Array) -> Array:
-    """Return the sum of the values of sample points at the nearest points of the grid."""
-    points = sample_points(boxes)
-    columns = np.rint((points[..., 0] - grid.x) / grid.step).astype(np.intp)
-    rows = np.rint((points[..., 1] - grid.y) / grid.step).astype(np.intp)
-    inside = (columns >= 0) & (columns < grid.columns) & (rows >= 0) & (rows < grid.rows)
-    at = np.where(inside, rows * grid.columns + columns, 0)
-    found: Array = np.where(inside, values[np.arange(SAMPLES), at], 0.0).sum(axis=1)
-    return found

@@ -61,6 +61,8 @@ def _placement(placement: Placement) -> dict[str, Any]:
         properties["score"] = placement.score
     if placement.mirrored:
         properties["mirrored"] = True
+    if placement.target != 1:
+        properties["target"] = placement.target
     return _feature(placement.points, properties)
 
 

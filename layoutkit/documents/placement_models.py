@@ -80,9 +80,9 @@ def _examples(root: Element, units: Units, label: str | None, reading: Reading) 
         values = reading.values(child, EXAMPLE)
         found = read_shapes(child.children, child, (PLACEMENT.name, POLYGON.name), reading)
         written = sum(each.name == PLACEMENT.name for each in child.children)
-        if written != 1:
-            message = f"<example> has {written} placements, and needs one"
-            reading.fault("LK107", message, child, "an example shows one placement; write several examples")
+        if not written:
+            hint = "the first one is the example, others stand beside it"
+            reading.fault("LK107", "<example> has no placement", child, hint)
         polygons = found.settle(reading)
         for placement in found.placements:
             if label and placement.label != label:
@@ -90,6 +90,6 @@ def _examples(root: Element, units: Units, label: str | None, reading: Reading) 
                 reading.diagnostics.append(
                     Diagnostic("LK105", message, placement.place, f'write label="{label}"', topic="schema")
                 )
-            scene = Scene(values.get("name") or "", units, polygons)
-            if len(found.placements) == 1:
-                yield Example(scene, placement)
+        if found.placements:
+            first, *beside = found.placements
+            yield Example(Scene(values.get("name") or "", units, polygons), first, tuple(beside))

@@ -68,8 +68,11 @@ PLACEMENT = element_type(
     required("height", SIZE, "Its extent along its own y axis."),
     optional("angle", NUMBER, "Direction of its own x axis, in degrees counter-clockwise.", 0.0),
     optional("label", NAME, "What is placed."),
-    optional("score", NUMBER, "How well it fits; of an example, its target value, which is 1 if left out."),
+    optional("score", NUMBER, "How well it was found to fit."),
     optional("mirrored", ANSWER, "Whether it is mirrored about its own x axis.", False),
+    optional(
+        "target", AMOUNT, "Of an example: how good a place it shows, from 1 down to 0, a wrong one.", 1.0
+    ),
 )
 #: How values of settings are written, by their type.
 _SETTINGS: Mapping[type, AttributeType] = {
@@ -99,6 +102,6 @@ PLACEMENT_MODEL = element_type(
 )
 EXAMPLE = element_type(
     "example",
-    "A placement that was shown, and the polygons about it, without others of its kind.",
+    "A placement that was shown, others of its kind beside it, and the polygons about it.",
     optional("name", TEXT, "What its scene is called.", ""),
 )

@@ -147,7 +147,8 @@ def placement_model_bytes(model: PlacementModel) -> bytes:
     for example in model.examples:
         scene = example.scene.settled()
         lines.append(f"{INDENT}<{_element(EXAMPLE, {'name': scene.name})}>")
-        lines.append(f"{INDENT * 2}<{_element(PLACEMENT, placement_fields(example.placement))}/>")
+        for placement in (example.placement, *example.beside):
+            lines.append(f"{INDENT * 2}<{_element(PLACEMENT, placement_fields(placement))}/>")
         for polygon in scene.polygons:
             lines += _polygon_lines(polygon, INDENT * 2)
         lines.append(f"{INDENT}</{EXAMPLE.name}>")

@@ -18,11 +18,14 @@ class Example:
     scene
         Without the placed shape, and without others of its kind.
     placement
-        Where the shape stands; its score is the target value, 1 if it has none.
+        Where the shape stands, and how good a place that is.
+    beside
+        Other shapes of its kind in the scene: where they stand is no wrong place.
     """
 
     scene: Scene
     placement: Placement
+    beside: tuple[Placement, ...] = ()
 
 
 def _setting(default: Any, help: str) -> Any:

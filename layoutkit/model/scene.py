@@ -86,10 +86,11 @@ class Placement:
     label
         What is placed.
     score
-        How well it keeps to what was learned, or to the pose that was propagated; of an example, its target
-        value. None: not said, which for an example is 1.
+        How well it keeps to what was learned, or to the pose that was propagated; None: not said.
     mirrored
         Whether the shape is mirrored about its own x axis.
+    target
+        Of an example: how good a place it shows, from 1 down to 0, where no shape should stand.
     place
         Where in its document it stands.
     """
@@ -102,6 +103,7 @@ class Placement:
     label: str = ""
     score: float | None = None
     mirrored: bool = False
+    target: float = 1.0
     place: Place | None = field(default=None, compare=False, repr=False)
 
     @property

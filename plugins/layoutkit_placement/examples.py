@@ -24,10 +24,10 @@ def without(scene: Scene, label: str) -> Scene:
 
 
 def examples_of(scenes: Sequence[Scene], label: str) -> tuple[Example, ...]:
-    """Return every shape of a label in some scenes as an example."""
+    """Return every shape of a label in some scenes as an example, the others beside it."""
     return tuple(
-        Example(rest, shape)
+        Example(rest, shape, (*every[:number], *every[number + 1 :]))
         for scene in scenes
-        for rest in [without(scene, label)]
-        for shape in shapes_of(scene, label)
+        for rest, every in [(without(scene, label), shapes_of(scene, label))]
+        for number, shape in enumerate(every)
     )

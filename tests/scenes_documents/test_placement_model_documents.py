@@ -48,7 +48,10 @@ def models(draw: st.DrawFn) -> PlacementModel:
     examples = []
     for _ in range(draw(st.integers(1, 3))):
         scene = replace(draw(scenes()), units=units, picture=None, placements=())
-        examples.append(Example(scene, replace(draw(PLACEMENTS), label="Sill")))
+        first, *beside = (
+            replace(placed, label="Sill") for placed in draw(st.lists(PLACEMENTS, min_size=1, max_size=3))
+        )
+        examples.append(Example(scene, first, tuple(beside)))
     return PlacementModel(draw(TEXT), units, "Sill", tuple(examples), draw(SETTINGS))
 
 

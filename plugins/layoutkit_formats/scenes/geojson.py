@@ -166,7 +166,8 @@ def _placement(properties: Mapping[str, Any]) -> Iterator[Placement]:
     x, y, width, height, angle = (value or 0.0 for value in values.values())
     named = label(_text(properties.get("label")))
     score, mirrored = _number(properties.get("score")), properties.get("mirrored") is True
-    yield Placement(x, y, width, height, angle, named, score, mirrored)
+    target = _number(properties.get("target"))
+    yield Placement(x, y, width, height, angle, named, score, mirrored, 1.0 if target is None else target)
 
 
 def _is_placement(properties: Mapping[str, Any]) -> bool:

@@ -7,7 +7,7 @@ Where the orientation is known, two points on a diagonal already do.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 
@@ -56,7 +56,8 @@ def free_candidates(points: Sequence[Array], angle: float, deformation: Deformat
     angle
         The main orientation of what is about them, in radians.
     """
-    fitted = [_plausible(_fitted(points, triplet), deformation) for triplet in _triplets()]
+    farthest = deformation.diagonal
+    fitted = [_plausible(_fitted(points, triplet, farthest), deformation) for triplet in _triplets()]
     found = np.concatenate([np.zeros((0, 5)), *fitted])
     straight = angle + np.rint((found[:, 4] - angle) / (np.pi / 2)) * (np.pi / 2)
     found[:, 4] = np.where(np.abs(found[:, 4] - straight) <= _CROOKED, straight, found[:, 4])
@@ -88,24 +89,41 @@ def _spanned(one: Array, other: Array, first: int, second: int) -> Array:
     return boxes[(boxes[:, 2:] > 0).all(axis=1)]
 
 
-def _fitted(points: Sequence[Array], triplet: tuple[int, int, int]) -> Boxes:
+def _fitted(points: Sequence[Array], triplet: tuple[int, int, int], farthest: float) -> Boxes:
     """Return the boxes that triplets of points determine.
 
     The affine frame that maps the sample points there has two axes; boxes are those whose axes meet at a
     right angle, nearly, and are not mirrored.
+
+    Parameters
+    ----------
+    farthest
+        How far points of one box are apart at most.
     """
     units = np.array([UNITS[index] for index in triplet])
+    # Its rows times the three points: half of the width's axis, half of the height's, the centre.
     inverse = np.linalg.inv(np.column_stack([units, np.ones(3)]))
-    a, b, c = (points[index] for index in triplet)
-    # Rows of `inverse` times the three points: half of the width's axis, half of the height's, the centre.
-    across = (
-        inverse[0, 0] * a[:, None, None] + inverse[0, 1] * b[None, :, None] + inverse[0, 2] * c[None, None]
-    )
-    up = inverse[1, 0] * a[:, None, None] + inverse[1, 1] * b[None, :, None] + inverse[1, 2] * c[None, None]
-    centre = (
-        inverse[2, 0] * a[:, None, None] + inverse[2, 1] * b[None, :, None] + inverse[2, 2] * c[None, None]
-    )
-    across, up, centre = (each.reshape(-1, 2) for each in (across, up, centre))
+    found = [np.zeros((0, 5))]
+    for three in _together([points[index] for index in triplet], farthest):
+        across, up, centre = np.einsum("rp,pkd->rkd", inverse, three)
+        found.append(_squared(across, up, centre))
+    return np.concatenate(found)
+
+
+def _together(points: Sequence[Array], farthest: float) -> Iterator[Array]:
+    """Yield for each of the first points its triplets with others near by, shape (3, triplets, 2)."""
+    from scipy.spatial import cKDTree
+
+    first, *others = points
+    near = [cKDTree(own).query_ball_point(first, farthest) if len(own) else [] for own in others]
+    for point, one, other in zip(first, *near, strict=False):
+        pairs = np.array(list(product(one, other)), np.intp).reshape(-1, 2)
+        same = np.broadcast_to(point, (len(pairs), 2))
+        yield np.stack([same, others[0][pairs[:, 0]], others[1][pairs[:, 1]]])
+
+
+def _squared(across: Array, up: Array, centre: Array) -> Boxes:
+    """Return the boxes of half axes that meet at a right angle, nearly, and are not mirrored."""
     width, height = np.hypot(*across.T), np.hypot(*up.T)
     dot = np.einsum("ij,ij->i", across, up)
     cross = across[:, 0] * up[:, 1] - across[:, 1] * up[:, 0]
@@ -114,12 +132,8 @@ def _fitted(points: Sequence[Array], triplet: tuple[int, int, int]) -> Boxes:
     kept = (cross > 0) & (miss <= _SKEW * np.hypot(width, height))
     across, up, centre, width, height = (each[kept] for each in (across, up, centre, width, height))
     # The angle between both axes' own directions.
-    mean = (
-        across / np.maximum(width, 1e-300)[:, None]
-        + np.column_stack([up[:, 1], -up[:, 0]]) / np.maximum(height, 1e-300)[:, None]
-    )
-    angle = np.arctan2(mean[:, 1], mean[:, 0])
-    return np.column_stack([centre, 2 * width, 2 * height, angle])
+    mean = across / width[:, None] + np.column_stack([up[:, 1], -up[:, 0]]) / height[:, None]
+    return np.column_stack([centre, 2 * width, 2 * height, np.arctan2(mean[:, 1], mean[:, 0])])
 
 
 def _plausible(boxes: Boxes, deformation: Deformation) -> Boxes:

@@ -14,7 +14,7 @@ from layoutkit_placement.learning.samples import Boxes, overlaps
 
 #: How far boxes are moved, in the example's width or height (found by cross-validation).
 ASIDE = 0.75
-#: From this intersection over the union with another example on, a box is as right as that.
+#: From this intersection over the union with another shape on, a box is as right as that.
 SAME = 0.5
 
 
@@ -26,11 +26,16 @@ def counterexamples(box: Array, others: Boxes) -> Boxes:
     box
         The example, shape (5,).
     others
-        The other examples of the same scene.
+        Other shapes of its kind in the same scene.
     """
+    found = aside(box)
+    wrong: Boxes = found[overlaps(found, others).max(axis=1, initial=0.0) < SAME]
+    return wrong
+
+
+def aside(box: Array) -> Boxes:
+    """Return a box a little farther on, to each side, shape (4, 5)."""
     x, y, width, height, angle = box
     along, up = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
     steps = [sign * ASIDE * side for side in (width * along, height * up) for sign in (1, -1)]
-    found: Boxes = np.array([(x + dx, y + dy, width, height, angle) for dx, dy in steps])
-    wrong: Boxes = found[overlaps(found, others).max(axis=1, initial=0.0) < SAME]
-    return wrong
+    return np.array([(x + dx, y + dy, width, height, angle) for dx, dy in steps])

@@ -43,6 +43,15 @@ class Deformation:
         ]
         return cls(float(shapes.mean()), float(areas.mean()), own[0], own[1])
 
+    @property
+    def diagonal(self) -> float:
+        """How long diagonals of boxes are at most that keep at least `LEAST` of their scores."""
+        far = np.sqrt(-2 * np.log(LEAST))
+        with np.errstate(over="ignore", invalid="ignore"):
+            area = np.exp(self.area + far * self.area_deviation)
+            # Width² + height², by the area and the logarithm of width by height.
+            return float(np.sqrt(2 * area * np.cosh(abs(self.shape) + far * self.shape_deviation)))
+
     def factors(self, boxes: Boxes) -> Array:
         """Return what the scores of boxes are multiplied by, shape (boxes,)."""
         with np.errstate(divide="ignore", invalid="ignore"):

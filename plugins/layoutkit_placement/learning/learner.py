@@ -14,7 +14,7 @@ import numpy as np
 
 from layoutkit.model.learning import Example, LearningSettings
 from layoutkit.model.scene import Placement, Scene
-from layoutkit.scenes.features import Array, Labels
+from layoutkit.scenes.features import Array, Indices, Labels
 from layoutkit.scenes.relationship import Relationship
 from layoutkit_placement.areas import Area, Areas
 from layoutkit_placement.functions import BUILT_IN
@@ -64,20 +64,23 @@ class Learner:
     settings: LearningSettings = field(default_factory=LearningSettings)
     known: tuple[Relationship, ...] = BUILT_IN
 
-    def fit(self, examples: Sequence[Example], name: str = "") -> Fitted:
+    def fit(self, examples: Sequence[Example]) -> Fitted:
         """Return what is learned from examples of one intention, or of several.
 
         Raises
         ------
         ValueError
-            If there are no examples.
+            If no example shows where a shape should stand, or a target value is not in 0 to 1.
         Faulty
             If the settings make no sense (LK872).
         """
         check_settings(self.settings, self.known)
-        if not examples:
-            raise ValueError("there are no examples")
-        return Fitted(tuple(examples), self.settings, self._relationships, name)
+        targets = [example.placement.target for example in examples]
+        if not all(0 <= target <= 1 for target in targets):
+            raise ValueError(f"target values are from 0 to 1, and not {targets}")
+        if not any(targets):
+            raise ValueError("no example shows where a shape should stand")
+        return Fitted(tuple(examples), self.settings, self._relationships)
 
     @property
     def _relationships(self) -> tuple[Relationship, ...]:
@@ -92,7 +95,6 @@ class Fitted:
     examples: tuple[Example, ...]
     settings: LearningSettings
     relationships: tuple[Relationship, ...]
-    name: str = ""
 
     @property
     def label(self) -> str:
@@ -102,7 +104,7 @@ class Fitted:
     @cached_property
     def terms(self) -> Terms:
         """What tuples consist of."""
-        size = float(diagonals(self.boxes).mean())
+        size = float(diagonals(self.boxes[self._right]).mean())
         return Terms.of(self.relationships, size, self.settings.tolerance, self.settings.reach)
 
     @cached_property
@@ -113,7 +115,8 @@ class Fitted:
     @cached_property
     def deformation(self) -> Deformation:
         """What sizes are tolerated."""
-        return Deformation.of(self.boxes, self.settings.shape_tolerance, self.settings.area_tolerance)
+        right, settings = self.boxes[self._right], self.settings
+        return Deformation.of(right, settings.shape_tolerance, settings.area_tolerance)
 
     @cached_property
     def shape_model(self) -> ShapeModel:
@@ -167,7 +170,7 @@ class Fitted:
     @property
     def parents(self) -> frozenset[Labels]:
         """Labels of the polygons that the examples stand in, for each its own."""
-        return frozenset(area.labels for area in self.areas)
+        return frozenset(self.areas[number].labels for number in self._right)
 
     @property
     def informed(self) -> tuple[bool, ...]:
@@ -202,12 +205,10 @@ class Fitted:
     @cached_property
     def counterexamples(self) -> list[Array]:
         """Boxes about each example that are told apart from it."""
-        scenes = np.array([id(example.scene) for example in self.examples])
-        every = np.arange(len(scenes))
-        return [
-            counterexamples(self.boxes[own], self.boxes[(scenes == scenes[own]) & (every != own)])
-            for own in every
-        ]
+        found = [np.zeros((0, 5))] * len(self.examples)
+        for number in self._right:
+            found[number] = counterexamples(self.boxes[number], boxes_of(self.examples[number].beside))
+        return found
 
     def _described(self, box: Array, area: Area) -> FeatureSets:
         sets = describe(sample_points(box[None]), area.features, self.terms, self._words)
@@ -219,8 +220,12 @@ class Fitted:
 
     @property
     def _targets(self) -> Array:
-        scores = [example.placement.score for example in self.examples]
-        return np.array([1.0 if score is None else score for score in scores])
+        return np.array([example.placement.target for example in self.examples])
+
+    @property
+    def _right(self) -> Indices:
+        """The examples that show where shapes should stand, and not where they should not."""
+        return np.flatnonzero(self._targets > 0)
 
     def _scores(self, boxes: Array, area: Area) -> Array:
         return self.shape_model.values(boxes, area) * self.deformation.factors(boxes)
@@ -232,21 +237,34 @@ class Fitted:
         scores = self._scores(boxes, area).tolist()
         return [self._placement(box, score) for box, score in zip(boxes.tolist(), scores, strict=True)]
 
-    def _placement(self, box: list[float], score: float | None) -> Placement:
+    def _placement(self, box: list[float], score: float) -> Placement:
         x, y, width, height, angle = box
         return Placement(x, y, width, height, math.degrees(angle), self.label, score)
 
     def _angles(self, area: Area) -> tuple[float, ...]:
-        """Return the orientations of shapes in an area: as the examples' are, relative to theirs."""
-        own = [box[4] - each.angle for box, each in zip(self.boxes, self.areas, strict=True)]
-        turns = dict.fromkeys(round(float(np.degrees(angle)) % 360, 3) % 360 for angle in own)
-        return tuple(area.angle + float(np.radians(turn)) for turn in turns)
+        own = [self.areas[number].angle for number in self._right]
+        return orientations(self.boxes[self._right], own, area)
 
     @cached_property
     def _limits(self) -> Limits:
-        pairs = zip(self.examples, self.surroundings, strict=True)
-        sound = [replace(example, scene=areas.scene) for example, areas in pairs]
+        sound = [
+            replace(self.examples[number], scene=self.surroundings[number].scene) for number in self._right
+        ]
         return Limits.of(sound, self.settings.crossing)
+
+
+def orientations(boxes: Array, angles: Sequence[float], area: Area) -> tuple[float, ...]:
+    """Return the orientations of shapes in an area, in radians: as the examples' are, to the degree.
+
+    Parameters
+    ----------
+    boxes
+        Of the examples, shape (examples, 5).
+    angles
+        The orientations of the areas that they stand in.
+    """
+    turns = np.rint(np.degrees(boxes[:, 4] - angles)).astype(int) % 360
+    return tuple(area.angle + math.radians(turn) for turn in dict.fromkeys(turns.tolist()))
 
 
 def _met(found: Array, alike: Array, targets: Array) -> Array:

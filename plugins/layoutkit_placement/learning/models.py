@@ -10,9 +10,10 @@ import numpy as np
 from layoutkit.model.learning import Example, PlacementModel
 from layoutkit.scenes.relationship import Relationship
 from layoutkit_placement.functions import BUILT_IN
+from layoutkit_placement.learning.contrast import SAME, aside
 from layoutkit_placement.learning.learner import Fitted, Learner
 from layoutkit_placement.learning.limits import crossed
-from layoutkit_placement.learning.samples import sample_points
+from layoutkit_placement.learning.samples import boxes_of, overlaps, sample_points
 from layoutkit_placement.learning.tiles import boxes_about, near
 
 
@@ -49,4 +50,7 @@ def _trimmed(fitted: Fitted, number: int) -> Example:
     if area.parent:
         kept.add(area.polygons[0].name)
     some = tuple(polygon for polygon in polygons if polygon.name in kept)
-    return Example(replace(example.scene, polygons=some, placements=(), picture=None), example.placement)
+    scene = replace(example.scene, polygons=some, placements=(), picture=None)
+    met = overlaps(aside(fitted.boxes[number]), boxes_of(example.beside)).max(axis=0) >= SAME
+    beside = tuple(other for other, own in zip(example.beside, met.tolist(), strict=True) if own)
+    return Example(scene, example.placement, beside)

@@ -58,7 +58,7 @@ def candidates(
     ]
     points = _refined(heat, [own.indices for own in found], terms)
     boxes = _spanned(points, angles, area, deformation)
-    support = _support(boxes, heat.grid, values) * deformation.factors(boxes)
+    support = support_of(boxes, heat.grid, values) * deformation.factors(boxes)
     return distinct(boxes, support, length / 2, BOXES * most)
 
 
@@ -113,7 +113,7 @@ def _spanned(
     )
 
 
-def _support(boxes: Boxes, grid: Grid, values: Sequence[Array]) -> Array:
+def support_of(boxes: Boxes, grid: Grid, values: Sequence[Array]) -> Array:
     """Return the sum of what speaks for the sample points of boxes, at the nearest points of the grid."""
     points = sample_points(boxes)
     columns = np.rint((points[..., 0] - grid.x) / grid.step).astype(np.intp)

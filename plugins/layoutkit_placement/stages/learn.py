@@ -72,6 +72,7 @@ class Learn(Stage):
         check_settings(options.settings, known)
         label = options.label or _only_label(scenes)
         examples = _chosen(_examples(scenes, label), options.chosen, label)
+        _check_targets(examples)
         left_out = dict.fromkeys(d for own in scenes for d in examined(own.polygons).left_out)
         with single_threaded():
             fitted = Learner(options.settings, known).fit(examples)
@@ -105,6 +106,18 @@ def _examples(scenes: Sequence[Scene], label: str) -> tuple[Example, ...]:
             f"all shapes of the label {label} lack a width or a height", "give them sizes above 0"
         )
     return usable
+
+
+def _check_targets(examples: Sequence[Example]) -> None:
+    """Raise what makes no sense of the examples' target values (LK871)."""
+    for example in examples:
+        shape = example.placement
+        if not 0 <= shape.target <= 1:
+            message = f"the example at {shape.x:g},{shape.y:g} has the target value {shape.target:g}"
+            hint = "write 1 for a good place, less for one that is less so, 0 for a wrong one"
+            raise Faulty([Diagnostic("LK871", message, shape.place, hint, topic=_TOPIC)])
+    if not any(example.placement.target for example in examples):
+        raise _no_examples("all examples have the target value 0", "show a place where shapes should stand")
 
 
 def _chosen(examples: tuple[Example, ...], numbers: Sequence[int], label: str) -> tuple[Example, ...]:

@@ -59,7 +59,6 @@ def examples(rng: np.random.Generator, count: int, polygons: int = 8) -> Sequenc
     for _ in range(count):
         x, y = rng.uniform(2, 6, 2)
         width, height = rng.uniform(0.6, 1.6, 2)
-        found.append(
-            Example(scene(rng), Placement(float(x), float(y), float(width), float(height), label="T"))
-        )
+        placement = Placement(float(x), float(y), float(width), float(height), label="T")
+        found.append(Example(scene(rng, polygons), placement))
     return found

@@ -109,7 +109,7 @@ def test_scores_do_not_hang_on_where_a_scene_lies(fitted: Fitted, degrees: float
 
 def test_a_model_keeps_no_more_of_scenes_than_counts_and_learns_the_same_from_it() -> None:
     rng = np.random.default_rng(4)
-    fitted = Learner(LearningSettings(reach=0.4)).fit(examples(rng, 3))
+    fitted = Learner(LearningSettings(reach=0.4)).fit(examples(rng, 3, 20))
     model = model_of(fitted, "kept")
     assert len(model.examples[0].scene.polygons) < len(fitted.examples[0].scene.polygons)
     again = fitted_of(model)
@@ -118,6 +118,18 @@ def test_a_model_keeps_no_more_of_scenes_than_counts_and_learns_the_same_from_it
     placement = Placement(4.0, 4.0, 1.0, 1.0, label="T")
     assert again.score(asked, placement) == pytest.approx(fitted.score(asked, placement))
     assert again.propose(asked) == fitted.propose(asked)
+
+
+def test_shapes_that_adjoin_each_other_are_learned_the_same_from_a_model() -> None:
+    """Where the next shape stands is no wrong place, whether it is an example or only beside one."""
+    row = [(x, 2.0, 1.2, 1.6) for x in (1.0, 1.9, 2.8, 3.7)]
+    shown = examples_of([wall("shown", 11, row, boxes=True)], "Box")
+    for some in (shown, shown[:2]):
+        fitted = Learner().fit(some)
+        assert [len(boxes) for boxes in fitted.counterexamples] == [3, 2, 2, 3][: len(some)]
+        again = fitted_of(model_of(fitted, "kept"))
+        assert [len(boxes) for boxes in again.counterexamples] == [3, 2, 2, 3][: len(some)]
+        assert again.shape_model.weights == pytest.approx(fitted.shape_model.weights)
 
 
 def test_several_intentions_in_one_set_of_examples_are_all_kept_to() -> None:
@@ -144,10 +156,40 @@ def test_shapes_turn_with_the_polygon_that_they_stand_in() -> None:
 def test_a_target_value_says_how_much_an_example_counts() -> None:
     """The same place with half the target value gets half the score."""
     shown = examples_of([wall("shown", 11, SHOWN[:1], boxes=True)], "Box")
-    half = [replace(e, placement=replace(e.placement, score=0.5)) for e in shown]
+    half = [replace(e, placement=replace(e.placement, target=0.5)) for e in shown]
     there = wall("shown", 11, SHOWN[:1])
     own = box_under(SHOWN[0])
     assert Learner().fit(half).score(there, own) == pytest.approx(Learner().fit(shown).score(there, own) / 2)
+
+
+def test_a_place_shown_as_wrong_is_left_empty_and_allows_nothing() -> None:
+    """A box over a pipe is shown as wrong: what lies over pipes is not allowed for it."""
+    shown = wall("shown", 11, SHOWN, boxes=True)
+    x, y, width, _ = SHOWN[1]
+    pipe = Polygon.rectangle("Pipe", x, y - 0.6, x + width, y - 0.1, ("Pipe",))
+    wrong = replace(box_under(SHOWN[1]), target=0.0)
+    places = (shown.placements[0], wrong, shown.placements[2])
+    scene = replace(shown, polygons=(*shown.polygons, pipe), placements=places)
+    fitted = Learner().fit(examples_of([scene], "Box"))
+    assert fitted.score(replace(scene, placements=()), wrong) < 0.3
+    found = fitted.propose(replace(scene, placements=()))
+    assert max(overlap(wrong, placement) for placement in found) < 0.3
+
+
+@pytest.mark.parametrize("targets", [(-1.0, 1.0), (1.5, 1.0), (math.nan, 1.0), (0.0, 0.0)])
+def test_target_values_are_from_0_to_1_and_not_all_0(targets: tuple[float, float]) -> None:
+    shown = examples_of([wall("shown", 11, SHOWN, boxes=True)], "Box")
+    pairs = zip(shown, targets, strict=False)
+    with pytest.raises(ValueError, match=r"target|shows"):
+        Learner().fit([replace(e, placement=replace(e.placement, target=t)) for e, t in pairs])
+
+
+def test_what_was_placed_teaches_as_much_as_what_was_shown(fitted: Fitted) -> None:
+    """Scores that were found are no target values."""
+    asked = wall("asked", 12, ASKED)
+    placed = replace(asked, placements=fitted.propose(asked, threshold=0.3))
+    again = Learner().fit(examples_of([placed], "Box"))
+    assert np.mean([again.score(asked, own) for own in placed.placements]) == pytest.approx(1.0, abs=0.15)
 
 
 def test_nothing_is_put_over_what_no_example_overlaps(fitted: Fitted) -> None:
