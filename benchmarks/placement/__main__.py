@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -89,6 +88,18 @@ def _chosen(
     return asked
 
 
+def _command(plan: Plan) -> str:
+    """Return what measures the same anywhere, whatever was left to defaults."""
+    numbers = ",".join(map(str, plan.examples))
+    tests = ",".join(map(str, plan.tests))
+    chosen = f"--splits {plan.splits} --examples {numbers} --tests {tests}"
+    methods = f" --methods '{','.join(plan.methods)}'" if plan.methods != tuple(METHODS) else ""
+    every = tuple(each.name for each in OPERATIONS)
+    operations = f" --operations '{','.join(plan.operations)}'" if plan.operations != every else ""
+    drawn = f"--half {plan.half} --seed {plan.seed}"
+    return f"python -m benchmarks.placement {chosen} {drawn}{operations}{methods}"
+
+
 def _told(plan: Plan, found: tuple[summary.Figures, ...], seconds: float) -> str:
     facades, rooms = plan.tests
     heading = (
@@ -97,7 +108,7 @@ def _told(plan: Plan, found: tuple[summary.Figures, ...], seconds: float) -> str
     )
     return "\n\n".join(
         [
-            f"python -m benchmarks.{' '.join(['placement', *sys.argv[1:]])}",
+            _command(plan),
             heading,
             "F1, mean over splits and over 2 to 5 examples (* the best):\n" + summary.table(found),
             "F1, mean over operations, by the number of examples:\n" + summary.curves(found),

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.placement.descriptions import Array, Description, Kind, Tuples
+from layoutkit_placement.learning.assignments import best_sums
 
 #: Many shapes are compared by many numbers: single precision will do.
 Numbers = NDArray[np.float32]
@@ -165,37 +166,19 @@ class Gaussian:
         for kind, tuples in own[1].items():
             most += float(tuples.importance.sum())
             if kind in queries:
-                found += best_assignments(self._near(tuples, queries[kind]))
+                found += best_sums(self._near(tuples, queries[kind]))
         if not most:
             return np.zeros(count)
         return np.asarray(np.exp(-0.5 * self.missing**2 * (1 - found / most)), float)
 
-    def _near(self, own: Tuples, others: Tuples) -> Array:
+    def _near(self, own: Tuples, others: Tuples) -> Numbers:
         """Return how much nearer than missing features are, by importance, shape (others, own, others')."""
         found = np.zeros((len(others.values), own.values.shape[2], others.values.shape[2]))
         for sample in range(own.values.shape[1]):
             gap = own.values[0, sample][:, None] - others.values[:, sample, None]
             near = np.maximum(0.0, 1 - (gap * gap).sum(axis=-1) / self.missing**2)
             found += own.importance[0, sample][:, None] * near
-        return found
-
-
-def best_assignments(matrices: Array) -> Array:
-    """Return the sum of each matrix under the best assignment of its rows to its columns.
-
-    Where all rows have their greatest number in columns of their own, these are the best; only the other
-    matrices are solved.
-    """
-    from scipy.optimize import linear_sum_assignment
-
-    if matrices.shape[1] > matrices.shape[2]:
-        matrices = matrices.swapaxes(1, 2)
-    found: Array = matrices.max(axis=2).sum(axis=1)
-    columns = np.sort(matrices.argmax(axis=2), axis=1)
-    for index in np.flatnonzero((np.diff(columns, axis=1) == 0).any(axis=1)):
-        rows, chosen = linear_sum_assignment(matrices[index], maximize=True)
-        found[index] = matrices[index][rows, chosen].sum()
-    return found
+        return found.astype(np.float32)
 
 
 def _joined(parts: Sequence[Numbers], count: int) -> Numbers:

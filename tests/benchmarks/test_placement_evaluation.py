@@ -18,7 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from benchmarks.placement import summary
-from benchmarks.placement.comparisons import Closest, Gaussian, Histograms, best_assignments
+from benchmarks.placement.comparisons import Closest, Gaussian, Histograms
 from benchmarks.placement.descriptions import Kind, Tuples
 from benchmarks.placement.facades import WINDOW
 from benchmarks.placement.matching import Judged, at_threshold, best, judged, overlaps
@@ -339,23 +339,8 @@ def test_a_gaussian_is_1_for_the_same_and_falls_with_all_features() -> None:
     assert missing == pytest.approx(math.exp(-0.5 * 25 / 2))
 
 
-def test_an_assignment_is_the_best_of_all() -> None:
-    rng = np.random.default_rng(5)
-    for shape in ((20, 2, 4), (20, 4, 2), (20, 3, 3)):
-        matrices = rng.integers(0, 5, shape).astype(float)
-        tried = [
-            max(
-                sum(own[row, column] for row, column in zip(rows, columns, strict=True))
-                for rows in itertools.permutations(range(shape[1]), min(shape[1:]))
-                for columns in itertools.combinations(range(shape[2]), min(shape[1:]))
-            )
-            for own in matrices
-        ]
-        assert best_assignments(matrices) == pytest.approx(tried)
-
-
-@pytest.mark.parametrize("name", ["learned", "closest", "histogram", "gaussian", "propagation"])
-def test_every_method_finds_sills_of_a_like_facade(name: str) -> None:
-    own = FRONTS[0]
-    fitted = METHODS[name].fit([own.example(0)], SILLS.settings)
-    assert best(judged(fitted.propose(own.scene), own.truths)).recall >= 0.5
+@pytest.mark.parametrize("name", METHODS)
+def test_every_method_finds_sills_of_another_like_facade(name: str) -> None:
+    fitted = METHODS[name].fit([FRONTS[0].example(0)], SILLS.settings)
+    asked = FRONTS[1]
+    assert judged(fitted.propose(asked.scene), asked.truths).right.sum() == len(asked.truths)
