@@ -255,7 +255,10 @@ def _parameter(parameter: Any) -> str:
         help_text += " Required."
     elif parameter.default not in (None, "") and not parameter.is_flag:
         help_text += f" By default {parameter.default}."
-    names = ", ".join(f"`{name}`" for name in (*parameter.opts[:-1], parameter.opts[-1] + value))
+    if parameter.secondary_opts:
+        help_text += f" By default {'on' if parameter.default else 'off'}."
+    own = [*parameter.opts[:-1], " / ".join([parameter.opts[-1] + value, *parameter.secondary_opts])]
+    names = ", ".join(f"`{name}`" for name in own)
     return f"| {_cell(names)} | {_cell(help_text)} |"
 
 

@@ -15,7 +15,7 @@ from layoutkit.cli.exits import exit_of
 from layoutkit.cli.options import Json
 from layoutkit.cli.recognising import recognising
 from layoutkit.cli.scene_conversion import convert_all, convert_scene, is_scene_file
-from layoutkit.cli.scenes import nothing_in
+from layoutkit.cli.scenes import nothing_in, this_file
 from layoutkit.cli.session import Session
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, blame, did_you_mean
 from layoutkit.model import Facade, place
@@ -49,13 +49,13 @@ def convert(
         ),
     ],
     output: Annotated[
-        Path,
+        list[Path],
         typer.Option(
             "-o",
             "--output",
             metavar="OUT",
-            help="The document to write (.xml); a scene can also be written as .geojson, .svg or .png. "
-            "With --every-part: a folder.",
+            help="The document to write (.xml); a scene can also be written as .geojson, .svg or .png, and "
+            "to several files at once. With --every-part: a folder.",
         ),
     ],
     image: Annotated[
@@ -90,34 +90,43 @@ def convert(
     if every_part:
         if part is not None:
             raise _misused("--every-part leaves nothing to choose", "leave --part or --every-part away")
-        return convert_all(session, annotation, output, format_name, as_json)
+        return convert_all(session, annotation, _only(output, "folder"), format_name, as_json)
     if as_scene or part is not None or is_scene_file(session, annotation, format_name):
         if image is not None:
             raise _misused("a scene takes the picture that lies beside IN", "leave --image away")
         return convert_scene(session, annotation, output, part, format_name, as_json)
+    document = _only(output, "document of a facade")
     chosen = _format(annotation, format_name, session)
     facade, remarks = _read(chosen, annotation, image)
     session.report(remarks)
-    write_facade(session, facade, output)
+    write_facade(session, facade, document)
     regions = list(place(facade.root))
     terminals = sum(placed.region.terminal for placed in regions)
     session.report()
     if as_json:
         console.emit(
             {
-                "document": str(output),
+                "document": str(document),
                 "regions": len(regions),
                 "terminals": terminals,
                 "diagnostics": [d.as_dict() for d in session.diagnostics],
             }
         )
     else:
-        console.say(f"{output}: {len(regions)} regions, {terminals} of them terminals")
+        console.say(f"{document}: {len(regions)} regions, {terminals} of them terminals")
     return exit_of(remarks)
 
 
 def _misused(message: str, hint: str) -> Faulty:
     return Faulty([Diagnostic("LK701", message, hint=hint, topic="usage")])
+
+
+def _only(outputs: Sequence[Path], what: str) -> Path:
+    """Return the only output, or raise `Faulty`: scenes alone can be written in several ways."""
+    if len(outputs) > 1:
+        named = ", ".join(map(str, outputs))
+        raise _misused(f"one {what} is written, and {len(outputs)} are named: {named}", "leave one -o")
+    return outputs[0]
 
 
 def write_facade(session: Session, facade: Facade, output: Path) -> None:
@@ -164,7 +173,7 @@ def _undecided(annotation: Path, choice: Sequence[Format | SceneFormat], fitting
         return empty
     return Diagnostic(
         "LK703",
-        "several formats recognise this file" if fitting else "no format recognises this file",
+        "several formats recognise this file" if fitting else f"no format recognises {this_file(annotation)}",
         Place(str(annotation)),
         "name one with --format" if choice else "no format is loaded: see `layoutkit plugins`",
         topic="usage",

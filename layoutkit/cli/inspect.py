@@ -56,7 +56,7 @@ def inspect(
     unique paths, and null where there is a gap.
     """
     from layoutkit import documents
-    from layoutkit.cli.scenes import is_tree, read_scene, scene_formats
+    from layoutkit.cli.scenes import is_drawn, read_scene
 
     session = Session.of(context)
     if documents.is_mass(document_file):
@@ -75,7 +75,7 @@ def inspect(
         learned = documents.read_placement_model(document_file)
         session.report(learned.diagnostics)
         data, lines = model_data(learned.model), model_lines(learned.model)
-    elif part is not None or (not is_tree(document_file) and scene_formats(session, document_file)):
+    elif part is not None or is_drawn(session, document_file):
         drawn = read_scene(session, document_file, part)
         data, lines = scene_data(drawn), scene_lines(drawn)
     else:

@@ -52,7 +52,9 @@ def place(
     threshold: Annotated[
         float | None,
         typer.Option(
-            show_default=False, help="Only placements with at least this score; an example has about 1."
+            min=0,
+            show_default=False,
+            help="Only placements with at least this score; an example has about 1.",
         ),
     ] = None,
     afresh: Afresh = False,
@@ -83,7 +85,7 @@ def place(
         scene = cleared(scene, model.label)
     asked: dict[str, Any] = {"limit": limit, "evidence": targets.evidence}
     asked["relationships"] = tuple(session.host.relationships.values())
-    if spacing.each_width or spacing.each_height:
+    if spacing != Spacing():
         asked["spacing"] = spacing
     if threshold is not None:
         asked["threshold"] = finite(threshold)

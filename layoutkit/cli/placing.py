@@ -34,7 +34,7 @@ Afresh = Annotated[
     bool, typer.Option("--afresh", help="Take what has the label out of the scene before anything is placed.")
 ]
 Limit = Annotated[
-    int | None, typer.Option(min=0, show_default=False, help="How many are placed at most; the best ones.")
+    int | None, typer.Option(min=1, show_default=False, help="How many are placed at most; the best ones.")
 ]
 PictureScale = Annotated[
     float,
@@ -99,8 +99,8 @@ def finish(
         placed = added(before, scene)
         write_scene(session, scene, source.parent, targets.scenes, targets.scale)
         if targets.evidence:
-            shown = replace(before.settled(), placements=placed)
             evidence = outcome.evidence or Evidence()
+            shown = replace(before.settled(), placements=evidence.placements or placed)
             write_evidence(session, shown, evidence, targets.heat, targets.contributions)
     files = targets.files if isinstance(scene, Scene) else ()
     if as_json:

@@ -16,7 +16,7 @@ from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.model import Scene
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Sequence
 
 #: What file names cannot hold everywhere.
 _NO_NAME = re.compile(r"[^\w.\-]+")
@@ -40,13 +40,18 @@ def is_scene_file(session: Session, path: Path, format_name: str | None) -> bool
 
 
 def convert_scene(
-    session: Session, path: Path, output: Path, part: str | None, format_name: str | None, as_json: bool
+    session: Session,
+    path: Path,
+    outputs: Sequence[Path],
+    part: str | None,
+    format_name: str | None,
+    as_json: bool,
 ) -> int:
-    """Write the scene of a file, and tell what it holds."""
-    check_targets([output], [], [path])
+    """Write the scene of a file to some files, and tell what it holds."""
+    check_targets(outputs, [], [path])
     scene = read_scene(session, path, part, format_name)
-    write_scene(session, scene, path.parent, [output])
-    _tell(session, [(output, scene)], as_json)
+    write_scene(session, scene, path.parent, outputs)
+    _tell(session, [(output, scene) for output in outputs], as_json)
     return 0
 
 

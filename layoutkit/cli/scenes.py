@@ -150,6 +150,22 @@ def is_tree(path: Path) -> bool:
     return ours or (not namespace and name in (FACADE.name, LAYOUT.name))
 
 
+def is_drawn(session: Session, path: Path) -> bool:
+    """Tell whether a file is a drawing, or nothing that could be a document; formats say what it is."""
+    from layoutkit.documents import load
+    from layoutkit.documents.foreign import foreign
+
+    return not is_tree(path) and (bool(scene_formats(session, path)) or bool(foreign(load(path))))
+
+
+def this_file(path: Path) -> str:
+    """Return what a file that nothing recognises is called."""
+    from layoutkit.documents import load
+    from layoutkit.documents.foreign import foreign
+
+    return f"this {foreign(load(path))} file".replace("  ", " ")
+
+
 def _no_part(path: Path, part: str | None) -> None:
     if part:
         hint = "leave --part away"
@@ -210,9 +226,11 @@ def _undecided(path: Path, choice: Sequence[SceneFormat], fitting: bool) -> Diag
         "LK703",
         "several formats of scenes recognise this file"
         if fitting
-        else "no format of scenes recognises this file",
+        else f"no format of scenes recognises {this_file(path)}",
         Place(str(path)),
-        "name one with --format" if choice else "no format is loaded: see `layoutkit plugins`",
+        f"`layoutkit convert {path} --format NAME -o OUT.xml` reads it as one of these"
+        if choice
+        else "no format is loaded: see `layoutkit plugins`",
         Severity.ERROR,
         "usage",
         tuple(f"{candidate.name}: {candidate.summary}" for candidate in choice),

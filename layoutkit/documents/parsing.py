@@ -14,6 +14,7 @@ from collections.abc import Callable
 from xml.parsers import expat
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
+from layoutkit.documents.foreign import foreign
 from layoutkit.documents.source import Source
 
 #: Bytes of one tag, text or comment.
@@ -144,11 +145,26 @@ class Pass:
         if reason in _ENCODING_ERRORS or self._misencoded():
             hint = "save the document as UTF-8, or declare the encoding that it has"
             return Diagnostic("LK003", "the bytes are not of the encoding declared", place, hint, topic="xml")
+        if told := self._foreign(place):
+            return told
         hint = _HINTS.get(reason, "")
         if not hint and (innermost := self.innermost()):
             name, line = innermost
             hint = f"<{name}>, opened in line {line}, is not closed before this place"
         return Diagnostic("LK002", f"the XML is broken: {reason}", place, hint, topic="xml")
+
+    def _foreign(self, place: Place) -> Diagnostic | None:
+        """Return what is said of a file that never was XML."""
+        kind = foreign(b"".join(itertools.islice(self.source.chunks(), 1)))
+        if not kind:
+            return None
+        if kind == "empty":
+            message, hint = "the file is empty", "write it once more, or name another file"
+        else:
+            message = f"the file is {kind}, and documents are XML"
+            hint = f"`layoutkit convert {self.source.file} -o OUT.xml` makes a scene of it, if it is GeoJSON"
+            hint += " or another drawing"
+        return Diagnostic("LK002", message, place, hint, topic="xml")
 
     def _misencoded(self) -> bool:
         """Tell whether the parser stopped at bytes that are not UTF-8, in a document that is up to there."""

@@ -122,6 +122,8 @@ class Reading:
             code = "LK106" if attribute.type is SIZE else "LK105"
             choices = attribute.type.choices
             hint = did_you_mean(text, choices) if choices else _pointed(attribute, text) or attribute.help
+            if attribute.name == "units":  # another word alone would change all sizes
+                hint = "units are m or px: convert the numbers from others, then write one of these"
             self.fault(code, f"{attribute.name} of <{element.name}>: {error}", element, hint)
         return None
 

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from layoutkit.model.scene import Placement
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HeatMap:
@@ -44,7 +46,10 @@ class Evidence:
         A map for each sample point, or one for poses.
     contributions
         For each placement, what each relationship function, by name, adds to its score.
+    placements
+        Those that were scored, where the scene may have others: pieces that fill them. None: the scene's.
     """
 
     heat: tuple[HeatMap, ...] = ()
     contributions: tuple[Mapping[str, float], ...] = ()
+    placements: tuple[Placement, ...] = ()

@@ -99,6 +99,11 @@ def test_what_has_the_label_is_taken_out_first(
         (["--relationships", "boundary"], "LK872"),
         (["--tolerance", "nan"], "--tolerance"),
         (["--contributions", "why.gif"], "LK703"),
+        (["--limit", "0"], "--limit"),
+        (["--threshold", "-1"], "--threshold"),
+        (["--each-width", "0"], "each-width is 0"),
+        (["--gap-across", "3"], "add --each-width, or leave --gap-across away"),
+        (["--each-width", "1e-9"], "fewer would fill them with --each-width"),
     ],
 )
 def test_what_makes_no_sense_is_refused(
@@ -108,6 +113,30 @@ def test_what_makes_no_sense_is_refused(
     assert run.code in (1, 2)
     assert told in run.err
     assert not (tmp_path / "out.xml").exists()
+
+
+def test_pieces_have_neither_rings_nor_rows_of_their_own(
+    rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any
+) -> None:
+    heights, counts = [], []
+    for sizes in ([], ["--each-width", "0.1"]):
+        why, out = tmp_path / "why.png", tmp_path / "out.xml"
+        common = ["--limit", "2", "--contributions", why, "-o", out, "--json"]
+        counts.append(len(layoutkit("place", *rooms, *sizes, *common).data["placements"]))
+        with Image.open(why) as image:
+            heights.append(image.height)
+    assert counts[0] == 2
+    assert counts[1] > 4
+    assert heights[0] == heights[1]
+
+
+def test_a_size_larger_than_every_placement_is_told(
+    rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any
+) -> None:
+    out = tmp_path / "out.xml"
+    run = layoutkit("place", *rooms, "--limit", "2", "--each-width", "100", "-o", out, "--json")
+    assert (run.code, len(run.data["placements"])) == (0, 2)
+    assert [d["code"] for d in run.data["diagnostics"]] == ["LK877"]
 
 
 def test_a_model_cannot_be_learned_again(rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any) -> None:

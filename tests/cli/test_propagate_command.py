@@ -142,7 +142,7 @@ def test_clearances_are_of_labels_that_there_are(
 def test_an_array_of_too_many_is_refused(rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any) -> None:
     shapes = ["--shape", "NightTable_1", "--shape", "NightTable_2", "--points", "2000"]
     run = layoutkit("propagate", rooms[0], *shapes, "--array", "1e-9", "-o", tmp_path / "out.xml")
-    assert (run.code, "LK865" in run.err, "give it a spacing of at least" in run.err) == (1, True, True)
+    assert (run.code, "LK865" in run.err, "give --array a spacing of at least" in run.err) == (1, True, True)
     assert not (tmp_path / "out.xml").exists()
 
 
@@ -206,3 +206,31 @@ def test_a_document_names_its_picture_from_where_it_is_written(tmp_path: Path, l
     picture = read_scene(out).scene.picture
     assert picture is not None
     assert (out.parent / picture.file).resolve() == tmp_path / "photo.png"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["--shape", "NightTable_1", "--kernel", "1e300"], "--kernel is at most"),
+        (["--shape", "NightTable_1", "--density", "1e300"], "--density is at most"),
+        (
+            ["--pose", "1e300,0,0", "--width", "1", "--height", "1", "--label", "A"],
+            "which cannot be calculated",
+        ),
+        (
+            ["--pose", "1,1,0", "--width", "1e-320", "--height", "1", "--label", "A"],
+            "let its sizes be from 1e-09",
+        ),
+        (["--shape", "NightTable_1", "--samples", "2", "--space", "poses"], "leave --samples away"),
+        (["--shape", "NightTable_1", "--samples", "2", "--space", "poses"], "--samples and --space poses"),
+        (["--shape", "NightTable_1", "--points", "5000000"], "--points is at most"),
+    ],
+)
+@pytest.mark.filterwarnings("error")
+def test_what_cannot_be_calculated_is_refused_with_a_hint(
+    rooms: tuple[Path, Path], tmp_path: Path, layoutkit: Any, arguments: list[str], told: str
+) -> None:
+    run = layoutkit("propagate", rooms[0], *arguments, "-o", tmp_path / "out.png")
+    assert (run.code in (1, 2), "LK865" in run.err, "LK901" in run.err) == (True, True, False)
+    assert told in run.err
+    assert not (tmp_path / "out.png").exists()

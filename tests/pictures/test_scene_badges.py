@@ -89,6 +89,29 @@ def test_a_large_shape_has_its_number_on_its_corner_and_a_small_one_beside_it() 
     assert 4 * frame.zoom < SMALLEST
 
 
+def test_a_thin_shape_has_its_number_beside_it() -> None:
+    sills = [scored(200, 300 + 60 * k, 60, 4) for k in range(4)]
+    windows = [scored(500, 300, 200, 300), scored(500, 148, 200, 4)]
+    frame = Frame.around(Scene("front", "px", (FACADE,)), 1000)
+    placements = [*sills, *windows]
+    found = badges(placements, frame)
+    assert [badge.number for badge in found] == [1, 2, 3, 4, 5, 6]
+    around = boxes(placements, frame)
+    for badge in found:
+        if badge.number != 5:
+            assert not overlaps(badge.rectangle, around).any()
+            left, top, right, bottom = around[badge.number - 1]
+            away = max(left - badge.rectangle[2], badge.rectangle[0] - right, 0.0)
+            down = max(top - badge.rectangle[3], badge.rectangle[1] - bottom, 0.0)
+            assert max(away, down) < 5, "it is the nearest to its own"
+
+
+def test_a_thin_shape_between_others_has_no_number() -> None:
+    rows = [scored(450, 500 + 7 * k, 898, 4) for k in range(-40, 40)]
+    numbers = [badge.number for badge in badges(rows, Frame.around(Scene("f", "px", (FACADE,)), 1000))]
+    assert 0 < len(numbers) <= 4, "there is room above and below all of them alone"
+
+
 def test_where_there_is_no_room_the_best_have_their_numbers() -> None:
     rows = [scored(100 + 20 * n, 900 - 20 * m, 19, 19) for m in range(20) for n in range(20)]
     numbers = [badge.number for badge in badges(rows, Frame.around(Scene("f", "px", (FACADE,)), 1000))]

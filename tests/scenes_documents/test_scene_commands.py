@@ -219,3 +219,49 @@ def test_scenes_are_read_for_other_commands(folder: Path) -> None:
         read_scene(session, Path("in/flats.json"))
     with pytest.raises(Faulty, match="LK001"):
         read_scene(session, Path("in/none.xml"))
+
+
+def test_what_is_no_xml_is_called_what_it_is(folder: Path, layoutkit: Any) -> None:
+    (folder / "some.json").write_text('{"a": 1}', encoding="utf-8")
+    (folder / "a.geojson").write_text('{"type": "FeatureCollection", "features": []}', encoding="utf-8")
+    (folder / "empty.xml").write_text(" \n", encoding="utf-8")
+    for command, told in (
+        (["inspect", "some.json"], "no format of scenes recognises this JSON file"),
+        (["inspect", "some.json"], "geojson: "),
+        (["inspect", "some.json"], "`layoutkit convert some.json --format NAME -o OUT.xml`"),
+        (["convert", "some.json", "-o", "x.xml"], "no format recognises this JSON file"),
+        (["inspect", "empty.xml"], "it is empty"),
+        (["validate", "some.json"], "the file is JSON, and documents are XML"),
+        (["validate", "a.geojson"], "`layoutkit convert a.geojson -o OUT.xml`"),
+        (["validate", "empty.xml"], "the file is empty"),
+        (["render", "some.json", "-o", "x.png"], "JSON"),
+    ):
+        run = layoutkit(*command)
+        assert run.code in (1, 2)
+        assert told in run.err + run.out, command
+        assert "&amp;" not in run.err + run.out
+
+
+def test_a_scene_is_written_to_every_file_that_is_named(folder: Path, layoutkit: Any) -> None:
+    (folder / "a.wkt").write_text("A POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))", encoding="utf-8")
+    run = layoutkit("convert", "a.wkt", "-o", "x.xml", "-o", "y.png")
+    assert (run.code, run.out) == (0, "x.xml: 1 polygon\ny.png: 1 polygon\n")
+    assert (folder / "x.xml").read_bytes().startswith(b"<?xml")
+    with Image.open(folder / "y.png") as picture:
+        assert picture.width > 600
+
+
+def test_a_facade_is_written_to_one_file(folder: Path, layoutkit: Any) -> None:
+    (folder / "a.xml").write_text(CMP, encoding="utf-8")
+    for more in (["--every-part"], []):
+        run = layoutkit("convert", "a.xml", "-o", "x.xml", "-o", "y.xml", *more)
+        assert (run.code, "2 are named: x.xml, y.xml" in run.err) == (2, True), run.err
+    assert not (folder / "x.xml").exists()
+
+
+def test_other_units_are_not_to_be_written_as_metres_as_they_stand(folder: Path, layoutkit: Any) -> None:
+    text = '<scene xmlns="urn:layoutkit:1" name="r" units="cm"><polygon points="0,0 5,0 5,4"/></scene>'
+    (folder / "cm.xml").write_text(text, encoding="utf-8")
+    run = layoutkit("validate", "cm.xml")
+    assert "did you mean" not in run.err
+    assert "convert the numbers" in run.err

@@ -68,3 +68,15 @@ def test_flats(tmp_path: Path) -> None:
         path.write_text(wrong)
         with pytest.raises(Faulty, match=r"LK301|LK858"):
             FORMATS["resplan"].read(path, "0")
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("number", ["nan", "1e400", "-1e400"])
+def test_numbers_that_are_not_finite_are_refused(tmp_path: Path, number: str) -> None:
+    path = tmp_path / "a.wkt"
+    path.write_text(f"A POLYGON ((0 0, 4 0, {number} 4, 0 4, 0 0))\nB {SQUARE}\n", encoding="utf-8")
+    scene, remarks = FORMATS["wkt"].read(path, "")
+    assert [polygon.labels for polygon in scene.polygons] == [("B",)]
+    (remark,) = remarks
+    assert (remark.code, remark.place.line) == ("LK859", 1)
+    assert "no finite number" in remark.message

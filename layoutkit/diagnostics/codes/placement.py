@@ -1,4 +1,4 @@
-"""Placement by example: shapes that go nowhere, and why (LK864 to LK875)."""
+"""Placement by example: shapes that go nowhere, and why (LK864 to LK877)."""
 
 from __future__ import annotations
 
@@ -102,5 +102,14 @@ CODES = (
         "A park for a bench; a polygon about a whole town.",
         "Cut it into smaller polygons, or raise the tolerance.",
         severity=Severity.WARNING,
+    ),
+    Code(
+        "LK877",
+        "shapes larger than every placement",
+        "Placements are to be filled with shapes of one size, and that is larger than each of them. None is "
+        "filled: they stand as they were found.",
+        "A size in other units.",
+        "Choose a smaller size, or leave it away.",
+        severity=Severity.NOTE,
     ),
 )

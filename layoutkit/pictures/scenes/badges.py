@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -23,8 +24,9 @@ if TYPE_CHECKING:
 COVERED = 0.1
 #: Letters are this share of a shape's shorter side high, between the least and what goes with the picture.
 _LETTERS, _LEAST, _USUAL = 0.4, 9, 12
-#: Shapes with a shorter side of fewer pixels have no badge: it would hide all that is about them.
-SMALLEST = 10
+#: On shapes with a shorter side of fewer pixels there is no badge: it would hide them. Those with a longer
+#: side of more than so many pixels have one beside them.
+SMALLEST, LONG = 10, 12
 #: Pixels around the letters of a badge, and between a badge and the shape that it stands beside.
 _ACROSS, _UP, _GAP = 4, 3, 3
 
@@ -56,20 +58,25 @@ def badges(placements: Sequence[Placement], frame: Frame) -> list[Badge]:
     """Return the badges of the placements that have scores, earlier ones choosing first where they stand.
 
     A badge stands on the upper left corner of its shape, or beside the shape. It covers no more than a tenth
-    of any shape that is placed, and no other badge. Where there is no such place, and on shapes of a few
+    of any shape that is placed, and no other badge. That of a thin
+    shape stands beside it, and covers no shape at all. Where there is no such place, and on shapes of a few
     pixels, there is none.
     """
     shapes = np.array([_around(placement, frame) for placement in placements]).reshape(-1, 4)
     usual = max(_USUAL, min(frame.columns, frame.rows) // 60)
     found: list[Badge] = []
     for number, (placement, shape) in enumerate(zip(placements, shapes, strict=True), 1):
-        side = min(placement.width, placement.height) * frame.zoom
-        if placement.score is None or side < SMALLEST:
+        side, length = (v * frame.zoom for v in sorted((placement.width, placement.height)))
+        thin = side < SMALLEST
+        if placement.score is None or (thin and length <= LONG):
             continue
         letters = max(_LEAST, min(usual, round(_LETTERS * side)))
         taken = np.array([badge.rectangle for badge in found]).reshape(-1, 4)
-        for place in _places(placement, shape, frame, _size(number, letters)):
-            if _inside(place, frame) and _shows(place, shapes) and not overlaps(place, taken).any():
+        covered = 0.0 if thin else COVERED
+        size = _size(number, letters)
+        beyond = _ends(placement, frame, size) if thin else ()
+        for place in (*beyond, *_places(placement, shape, frame, size)):
+            if _inside(place, frame) and _shows(place, shapes, covered) and not overlaps(place, taken).any():
                 found.append(Badge(number, place, letters))
                 break
     return found
@@ -125,12 +132,26 @@ def _places(
     yield from ((a, b, a + width, b + height) for a, b in corners)
 
 
+def _ends(placement: Placement, frame: Frame, size: tuple[float, float]) -> Iterator[Rectangle]:
+    """Yield where a badge might stand beyond the ends of a thin shape, the left or upper one first."""
+    width, height = size
+    x, y = frame.pixel((placement.x, placement.y))
+    upright = placement.height > placement.width
+    angle = math.radians((placement.angle + 90 * upright + 90) % 180 - 90)
+    across, down = math.cos(angle), -math.sin(angle)
+    reach = max(placement.width, placement.height) * frame.zoom / 2
+    reach += _GAP + min(width / 2 / max(abs(across), 1e-9), height / 2 / max(abs(down), 1e-9))
+    for side in (-1, 1):
+        left, top = x + side * reach * across - width / 2, y + side * reach * down - height / 2
+        yield left, top, left + width, top + height
+
+
 def _inside(place: Rectangle, frame: Frame) -> bool:
     left, top, right, bottom = place
     return left >= 0 and top >= 0 and right < frame.columns and bottom < frame.rows
 
 
-def _shows(place: Rectangle, shapes: Rectangles) -> bool:
-    """Whether a badge at a place leaves enough of all shapes to be seen."""
+def _shows(place: Rectangle, shapes: Rectangles, covered: float) -> bool:
+    """Whether a badge at a place covers no more than a share of any shape."""
     areas = (shapes[:, 2] - shapes[:, 0]) * (shapes[:, 3] - shapes[:, 1])
-    return bool((overlaps(place, shapes) <= COVERED * areas).all())
+    return bool((overlaps(place, shapes) <= covered * areas).all())

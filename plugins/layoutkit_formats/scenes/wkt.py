@@ -46,7 +46,14 @@ class WktFormat(SceneFormat):
 
 def _read_line(line: str, place: Place, drawing: Drawing) -> None:
     found = _GEOMETRY.search(line)
-    geometry = None if found is None else parsed(found["wkt"])
+    geometry = None if found is None else _geometry(found["wkt"])
+    if geometry is not None and not _finite(geometry):
+        hint, message = (
+            "write numbers that are finite",
+            "a coordinate is no finite number; the line is left out",
+        )
+        drawing.remarks.append(Diagnostic("LK859", message, place, hint, Severity.WARNING, "scene"))
+        return
     if found is None or geometry is None:
         hint = "write POLYGON ((x y, x y, x y, x y)), its labels before it"
         message = "the line holds no geometry; it is left out"
@@ -56,13 +63,28 @@ def _read_line(line: str, place: Place, drawing: Drawing) -> None:
 
 
 def parsed(text: str) -> Any:
-    """Return a shapely geometry; None if the text is none."""
+    """Return a shapely geometry; None if the text is none, or a coordinate is no finite number."""
+    geometry = _geometry(text)
+    return geometry if geometry is not None and _finite(geometry) else None
+
+
+def _geometry(text: str) -> Any:
+    """Return a shapely geometry, maybe with coordinates that are not finite; None if the text is none."""
+    import numpy as np
     import shapely
 
     try:
-        return shapely.from_wkt(text)
+        with np.errstate(invalid="ignore", over="ignore"):  # such coordinates are refused afterwards
+            return shapely.from_wkt(text)
     except shapely.errors.ShapelyError:
         return None
+
+
+def _finite(geometry: Any) -> bool:
+    import numpy as np
+    import shapely
+
+    return bool(np.isfinite(shapely.get_coordinates(geometry)).all())
 
 
 def add(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -16,18 +17,24 @@ from layoutkit_placement.learning.heat import Heat
 from layoutkit_placement.learning.kernel import taken
 from layoutkit_placement.learning.learner import Fitted
 from layoutkit_placement.learning.samples import NAMES, SAMPLES, boxes_of, sample_points
-from layoutkit_placement.learning.search import grid_of
+from layoutkit_placement.learning.search import MARGIN, step_of
 from layoutkit_placement.learning.tiles import boxes_about, near
+
+#: A map has at most so many points, and is made coarser by so much until it has.
+POINTS, COARSER = 400_000, 1.05
 
 
 def evidence(fitted: Fitted, scene: Scene, placements: Sequence[Placement]) -> Evidence:
-    """Return what speaks for placements in a scene; every point of the maps is evaluated."""
+    """Return what speaks for placements in a scene; every point of the maps is evaluated.
+
+    The maps have one grid, whose step is that of the coarsest area, or wider where areas lie far apart.
+    """
     areas = Areas.of(scene, fitted.settings.hierarchy)
     contributions = tuple(
         _contributions(fitted, placement, area)
         for placement, area in zip(placements, areas.around(placements), strict=True)
     )
-    return Evidence(_maps(fitted, areas), contributions)
+    return Evidence(_maps(fitted, areas), contributions, tuple(placements))
 
 
 def _maps(fitted: Fitted, areas: Areas) -> tuple[HeatMap, ...]:
@@ -35,10 +42,11 @@ def _maps(fitted: Fitted, areas: Areas) -> tuple[HeatMap, ...]:
     found = areas.of_labels(fitted.parents)
     if not found:
         return ()
-    whole = _whole([grid_of(area, fitted.terms) for area in found])
+    margin = MARGIN * fitted.terms.length
+    whole = _whole(found, max(step_of(area, fitted.terms) for area in found), margin)
     values = np.full((SAMPLES, whole.rows, whole.columns), np.nan)
     for area in found:
-        grid, rows, columns = _part(whole, grid_of(area, fitted.terms))
+        grid, rows, columns = _part(whole, area, margin)
         heat = Heat(area, grid, fitted.terms, fitted.point_models)
         every = np.arange(grid.rows * grid.columns)
         for sample in range(SAMPLES):
@@ -49,23 +57,41 @@ def _maps(fitted: Fitted, areas: Areas) -> tuple[HeatMap, ...]:
     )
 
 
-def _whole(grids: Sequence[Grid]) -> Grid:
-    """Return the grid over all of some grids of one step."""
-    step = grids[0].step
-    x, y = min(grid.x for grid in grids), min(grid.y for grid in grids)
-    right = max(grid.x + (grid.columns - 1) * step for grid in grids)
-    top = max(grid.y + (grid.rows - 1) * step for grid in grids)
-    return Grid(
-        x, y, step, int(np.ceil((top - y) / step - 1e-9)) + 1, int(np.ceil((right - x) / step - 1e-9)) + 1
-    )
+def _whole(areas: Sequence[Area], step: float, margin: float) -> Grid:
+    """Return a grid over some areas and a margin about them, with no more points than a map may have.
+
+    Parameters
+    ----------
+    step
+        How far points are apart at least.
+    """
+    extents = np.array([area.extent for area in areas])
+    (x0, y0), (x1, y1) = extents[:, :2].min(axis=0) - margin, extents[:, 2:].max(axis=0) + margin
+    while (columns := _count(x1 - x0, step)) * (rows := _count(y1 - y0, step)) > POINTS:
+        step *= COARSER
+    left, low = ((a + b - (n - 1) * step) / 2 for a, b, n in ((x0, x1, columns), (y0, y1, rows)))
+    return Grid(float(left), float(low), step, rows, columns)
 
 
-def _part(whole: Grid, grid: Grid) -> tuple[Grid, slice, slice]:
-    """Return the points of a grid that one of its areas covers, and where they stand in it."""
-    row, column = round((grid.y - whole.y) / whole.step), round((grid.x - whole.x) / whole.step)
-    rows, columns = min(grid.rows, whole.rows - row), min(grid.columns, whole.columns - column)
-    part = Grid(whole.x + column * whole.step, whole.y + row * whole.step, whole.step, rows, columns)
-    return part, slice(row, row + rows), slice(column, column + columns)
+def _count(length: float, step: float) -> int:
+    """Return how many points cover a length, both of its ends included."""
+    return math.ceil(length / step - 1e-9) + 1
+
+
+def _part(whole: Grid, area: Area, margin: float) -> tuple[Grid, slice, slice]:
+    """Return the points of a grid that cover one of its areas, and where they stand in it."""
+    x0, y0, x1, y1 = area.extent
+    columns = _covering(x0 - margin - whole.x, x1 + margin - whole.x, whole.step, whole.columns)
+    rows = _covering(y0 - margin - whole.y, y1 + margin - whole.y, whole.step, whole.rows)
+    x, y = whole.x + columns.start * whole.step, whole.y + rows.start * whole.step
+    part = Grid(x, y, whole.step, rows.stop - rows.start, columns.stop - columns.start)
+    return part, rows, columns
+
+
+def _covering(least: float, greatest: float, step: float, count: int) -> slice:
+    """Return which of some points in a row cover a length, both of its ends included."""
+    first = max(0, math.floor(least / step + 1e-9))
+    return slice(first, min(count, math.ceil(greatest / step - 1e-9) + 1))
 
 
 def _contributions(fitted: Fitted, placement: Placement, area: Area) -> Mapping[str, float]:

@@ -154,7 +154,8 @@ class Fitted:
         areas = Areas.of(scene, self.settings.hierarchy)
         found: list[Placement] = []
         for area in areas.of_labels(self.parents):
-            found += self._in(area)
+            some = self._in(area)
+            found += [own for own, stands in zip(some, areas.around(some), strict=True) if stands is area]
         kept = [placement for placement in found if (placement.score or 0.0) >= threshold]
         kept = self._limits.kept(kept, areas.scene.polygons)
         if not self.settings.overlapping:

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from layoutkit.diagnostics import Diagnostic, Faulty, did_you_mean
 from layoutkit.model.learning import LearningSettings
 from layoutkit.scenes.relationship import Relationship
 
-#: A tolerance below this would take a grid that is too fine to be looked at.
-_LEAST = 1e-3
+#: What numbers are between, 0 apart where it means none: a tolerance below would take a grid that is too fine
+#: to be looked at, and beyond all of them nothing is told from anything.
+_RANGES: Mapping[str, tuple[float, float]] = {
+    "tolerance": (1e-3, 1e3),
+    "regularisation": (1e-9, 1e9),
+    "reach": (1e-3, 1e6),
+    "shape_tolerance": (1e-3, 1e3),
+    "area_tolerance": (1e-3, 1e3),
+    "nearest": (1, 1e6),
+}
+#: Of these 0 means none.
+_NONE = ("reach", "shape_tolerance", "area_tolerance", "nearest")
 
 
 def check_settings(settings: LearningSettings, known: Sequence[Relationship]) -> None:
@@ -33,12 +42,11 @@ def _faults(settings: LearningSettings, known: Sequence[Relationship]) -> Iterat
         elif next(each for each in known if each.name == name).directional:
             hint = "learning relates points, which have no direction; `propagate` relates poses"
             yield _fault(f"{name} needs a direction", hint)
-    for name, least in (("tolerance", _LEAST), ("regularisation", 1e-9)):
-        if not math.inf > getattr(settings, name) >= least:
-            yield _fault(f"{name} is {getattr(settings, name):g}", f"give a number of at least {least:g}")
-    for name in ("reach", "nearest", "shape_tolerance", "area_tolerance"):
-        if not math.inf > getattr(settings, name) >= 0:
-            yield _fault(f"{name} is {getattr(settings, name):g}", "give a number of at least 0")
+    for name, (least, most) in _RANGES.items():
+        value = getattr(settings, name)
+        if not least <= value <= most and not (value == 0 and name in _NONE):
+            none = "0, or " if name in _NONE else ""
+            yield _fault(f"{name} is {value:g}", f"give {none}a number from {least:g} to {most:g}")
 
 
 def _fault(message: str, hint: str) -> Diagnostic:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -22,6 +23,7 @@ from layoutkit_placement.propagation import remarks
 CLOSED = 0.5
 #: An array has at most so many shapes.
 MOST = 10_000
+_TINY = float(np.finfo(float).tiny)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +36,24 @@ class Pair:
 
 
 def pairs(
-    firsts: Sequence[Placement], lasts: Sequence[Placement], polygons: Sequence[Polygon], apart: float = 0.0
+    firsts: Sequence[Placement],
+    lasts: Sequence[Placement],
+    polygons: Sequence[Polygon],
+    apart: float = 0.0,
+    way: complex = 0j,
 ) -> Iterator[Pair]:
-    """Yield first shapes with the nearest last one that the same polygon is closest to; others have none.
+    """Yield first shapes with the last one that goes best with each; those without any are left out.
 
-    Last ones nearer than `apart` are not taken, which is for arrays that do not close.
+    The same polygon is closest to both. Of symmetric places, which there are many of, that one is taken that
+    lies most as the example's last shape does, and has a good score; of equally good ones the nearest.
+
+    Parameters
+    ----------
+    apart
+        Last ones nearer than that are not taken, which is for arrays that do not close.
+    way
+        Where the example's last shape is as seen from its first one (`seen_from`); last ones in the opposite
+        direction are not taken. 0: anywhere.
     """
     if not (firsts and lasts and polygons):
         return
@@ -46,13 +61,28 @@ def pairs(
     own, other = _nearest(firsts, features), _nearest(lasts, features)
     for first, polygon in zip(firsts, own, strict=True):
         fitting = [
-            last
-            for last, its in zip(lasts, other, strict=True)
-            if its == polygon and math.dist((last.x, last.y), (first.x, first.y)) >= apart
+            (-_fit(first, last, way), math.dist((last.x, last.y), (first.x, first.y)), k)
+            for k, (last, its) in enumerate(zip(lasts, other, strict=True))
+            if its == polygon
         ]
+        fitting = [each for each in fitting if each[1] >= apart and each[0] < 0]
         if fitting:
-            last = min(fitting, key=lambda each: math.dist((each.x, each.y), (first.x, first.y)))
-            yield Pair(first, last, polygons[polygon])
+            yield Pair(first, lasts[min(fitting)[2]], polygons[polygon])
+
+
+def seen_from(first: Placement, last: Placement) -> complex:
+    """Return where a shape is as seen from another one: ahead as the real part, to its left as the other."""
+    offset = complex(last.x - first.x, last.y - first.y) * cmath.rect(1, -math.radians(first.angle))
+    return offset.conjugate() if first.mirrored else offset
+
+
+def _fit(first: Placement, last: Placement, way: complex) -> float:
+    """Return how well a last shape goes with a first one, from -1 to 1."""
+    if not way:
+        return 1.0
+    seen = seen_from(first, last)
+    along = (seen * way.conjugate()).real / max(abs(seen) * abs(way), _TINY)
+    return round(along * (1.0 if last.score is None else last.score), 6)  # lest rounding decides among equals
 
 
 def array(pair: Pair, spacing: float) -> tuple[Placement, ...]:

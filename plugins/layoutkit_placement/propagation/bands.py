@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,8 @@ from layoutkit_placement.propagation.matching import LevelSets, Matching, missed
 
 #: An area of fewer blocks is evaluated at every point: there is little to be spared.
 _FEW = 24
+#: So many numbers at most are held at once for each function.
+HELD = 8_000_000
 #: By how much points miss their level sets grows no faster than they move.
 _STEADY = (
     "boundary-distance",
@@ -64,6 +67,15 @@ def importance_on(matching: Matching, patch: Patch) -> Array:
         flat = importance_at(matching, patch.points.reshape(-1, 2))
         return flat.reshape(patch.inside.shape)
     total = np.zeros(patch.inside.shape)
+    size = _held_at_once(matching)
+    for first in range(0, len(total), size):
+        part = slice(first, first + size)
+        total[part] = _importance_on(matching, patch.part(part))
+    return total
+
+
+def _importance_on(matching: Matching, patch: Patch) -> Array:
+    total = np.zeros(patch.inside.shape)
     for sets in matching.level_sets:
         best = np.zeros((len(sets.importance), *total.shape))
         for band in bands(matching, patch, sets):
@@ -74,39 +86,84 @@ def importance_on(matching: Matching, patch: Patch) -> Array:
     return total
 
 
+def _held_at_once(matching: Matching) -> int:
+    """Return how many blocks are few enough to be looked at all at once."""
+    rows = max((len(sets.importance) for sets in matching.level_sets), default=1)
+    edges = max(len(features.length) for features in matching.features.values())
+    alone = all(function.name in _SINGLE for function in matching.query.functions)
+    widest = max(rows * SIDE**2, edges if alone else edges * SIDE**2)
+    return max(1, HELD // widest)
+
+
 def bands(matching: Matching, patch: Patch, sets: LevelSets) -> Iterator[Band]:
     """Yield the bands about level sets, one for each feature of the area that any comes near to."""
     function, features = sets.function, matching.features[sets.function.of]
-    meeting = _meeting(matching, patch, sets)
-    for column in np.unique(sets.columns):
-        (own,) = np.nonzero(sets.columns == column)
-        items, which = np.nonzero(meeting[:, own])
+    meeting = Meeting.of(matching, patch, sets)
+    for own in by_column(sets):
+        column = int(sets.columns[own[0]])
+        items, which = np.nonzero(meeting.at(own))
         if not len(items):
             continue
         blocks, items = np.unique(items, return_inverse=True)
-        single, at = alone(function, features, int(column))
+        single, at = alone(function, features, column)
         view = View(patch.points[blocks].reshape(-1, 2), single)
         values = function.evaluate(view)[:, at, sets.value].reshape(-1, SIDE**2)
         spread = function.spread(view)[:, at, sets.value].reshape(-1, SIDE**2)
         misses = missed(function, values[items], sets.wanted[own[which], None], spread[items])
-        yield Band(int(column), own[which], blocks[items], misses)
+        yield Band(column, own[which], blocks[items], misses)
 
 
-def _meeting(matching: Matching, patch: Patch, sets: LevelSets) -> NDArray[np.bool_]:
-    """Tell which level sets can come near which blocks, shape (blocks, sets)."""
-    function, features = sets.function, matching.features[sets.function.of]
-    if function.name not in (*_STEADY, *_TURNING, _ALONG):
-        return np.ones((len(patch.blocks), len(sets.rows)), bool)
-    view = View(patch.centres, features)
-    spread = function.spread(view)
-    misses = np.abs(sets.misses(function.evaluate(view), spread))
-    if function.name in _TURNING:
-        unit = features.corner_opening[sets.columns] if function.of == "corner" else 1.0
-        return _sweeping(misses, spread[:, sets.columns, 0] / unit, patch.reach, matching.radius)
-    near = misses < matching.radius + patch.reach
-    if function.name == _ALONG:
-        near |= ~_single(features)[sets.columns]
-    return near
+def by_column(sets: LevelSets) -> Iterator[Indices]:
+    """Yield level sets by their indices, those of one feature of the area at a time."""
+    order = np.argsort(sets.columns, kind="stable")
+    _, first = np.unique(sets.columns[order], return_index=True)
+    for begin, end in pairwise([*first.tolist(), len(order)]):
+        yield order[begin:end]
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """Which level sets can come near which blocks of a patch.
+
+    Attributes
+    ----------
+    matching, patch, sets
+        Of what.
+    values, spread
+        What the function is in the middles of blocks, shape (blocks, features, values); None where nothing
+        follows from that.
+    """
+
+    matching: Matching
+    patch: Patch
+    sets: LevelSets
+    values: Array | None
+    spread: Array | None
+
+    @classmethod
+    def of(cls, matching: Matching, patch: Patch, sets: LevelSets) -> Meeting:
+        """Return what is known from the middles of blocks."""
+        function = sets.function
+        if function.name not in (*_STEADY, *_TURNING, _ALONG):
+            return cls(matching, patch, sets, None, None)
+        view = View(patch.centres, matching.features[function.of])
+        return cls(matching, patch, sets, function.evaluate(view), function.spread(view))
+
+    def at(self, own: Indices) -> NDArray[np.bool_]:
+        """Tell which level sets of one feature, by their indices, come near blocks, shape (blocks, sets)."""
+        if self.values is None or self.spread is None:
+            return np.ones((len(self.patch.blocks), len(own)), bool)
+        sets, column, reach = self.sets, int(self.sets.columns[own[0]]), self.patch.reach
+        function, features = sets.function, self.matching.features[sets.function.of]
+        value, spread = (each[:, column, sets.value, None] for each in (self.values, self.spread))
+        misses = np.abs(missed(function, value, sets.wanted[own], spread))
+        if function.name in _TURNING:
+            unit = features.corner_opening[column] if function.of == "corner" else 1.0
+            return _sweeping(misses, self.spread[:, column, :1] / unit, reach, self.matching.radius)
+        if function.name == _ALONG and not _is_single(features, column):
+            return np.ones(misses.shape, bool)
+        found: NDArray[np.bool_] = misses < self.matching.radius + reach
+        return found
 
 
 def _sweeping(misses: Array, distance: Array, reach: float, radius: float) -> NDArray[np.bool_]:
@@ -118,11 +175,10 @@ def _sweeping(misses: Array, distance: Array, reach: float, radius: float) -> ND
     return found
 
 
-def _single(features: Features) -> NDArray[np.bool_]:
-    """Tell which segments are single edges, along which arc lengths are projections."""
-    ends = np.append(features.segment_first[1:], len(features.length))[: len(features.segment_first)]
-    found: NDArray[np.bool_] = ends - features.segment_first == 1
-    return found
+def _is_single(features: Features, segment: int) -> bool:
+    """Tell whether a segment is a single edge, along which arc lengths are projections."""
+    first, after = features.segment_first, segment + 1
+    return int((first[after] if after < len(first) else len(features.length)) - first[segment]) == 1
 
 
 def alone(function: Relationship, features: Features, index: int) -> tuple[Features, int]:

@@ -18,6 +18,8 @@ from layoutkit_placement.propagation.query import DIRECTIONAL
 
 #: So many numbers at most are held at once for each function.
 _HELD = 2_000_000
+#: Where level sets are looked at to see how they change with the point: there, and a step along each axis.
+_MOVES = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
 
 
 @dataclass(frozen=True)
@@ -107,11 +109,12 @@ def directions_at(matching: Matching, points: Array) -> Array:
 def contributions_at(matching: Matching, points: Array) -> list[Mapping[str, float]]:
     """Return what each function adds to the importance at each point, as a share of the greatest possible."""
     found: list[dict[str, float]] = [{f.name: 0.0 for f in matching.query.functions} for _ in points]
-    seen = Seen(matching, points)
-    for sets in matching.level_sets:
-        added = sets.best(seen.kept(sets)) @ sets.importance
-        for own, share in zip(found, added / matching.query.total, strict=True):
-            own[sets.function.name] += float(share)
+    for part in _parts(matching, len(points)):
+        seen = Seen(matching, points[part])
+        for sets in matching.level_sets:
+            added = sets.best(seen.kept(sets)) @ sets.importance
+            for own, share in zip(found[part], added / matching.query.total, strict=True):
+                own[sets.function.name] += float(share)
     return [dict(own) for own in found]
 
 
@@ -136,9 +139,14 @@ class Strongest:
 
 def strongest_at(matching: Matching, points: Array, count: int) -> Strongest:
     """Return so many of the strongest level sets about points, those in twice the kernel's reach included."""
+    parts = _parts(matching, len(points), len(_MOVES) * len(matching.level_sets))
+    found = [_strongest_at(matching, points[part], count) for part in parts]
+    return Strongest(*(np.concatenate(each) for each in zip(*found, strict=True)))
+
+
+def _strongest_at(matching: Matching, points: Array, count: int) -> tuple[Array, Array, Array]:
     step = 1e-6 * matching.radius
-    moves = np.array([[0.0, 0.0], [step, 0.0], [0.0, step]])
-    seen = Seen(matching, (points + moves[:, None]).reshape(-1, 2))
+    seen = Seen(matching, (points + step * _MOVES[:, None]).reshape(-1, 2))
     weights, misses, full = [np.zeros((len(points), 0))], [np.zeros((3, len(points), 0))], [np.zeros(0)]
     for sets in matching.level_sets:
         own = seen.misses(sets).reshape(3, len(points), -1)
@@ -151,11 +159,16 @@ def strongest_at(matching: Matching, points: Array, count: int) -> Strongest:
     counted = np.isfinite(chosen).all(axis=0) & (np.take_along_axis(found, order, 1) > 0)
     chosen = np.where(counted, chosen, 0.0)
     normals = np.stack([chosen[1] - chosen[0], chosen[2] - chosen[0]], axis=-1) / step
-    return Strongest(chosen[0], normals, np.where(counted, np.concatenate(full)[order], 0.0))
+    return chosen[0], normals, np.where(counted, np.concatenate(full)[order], 0.0)
 
 
 def strongest_headings(matching: Matching, points: Array, count: int) -> Array:
     """Return the directions that the strongest level sets about points ask for, shape (points, count)."""
+    parts = _parts(matching, len(points), len(matching.level_sets))
+    return np.concatenate([_strongest_headings(matching, points[part], count) for part in parts])
+
+
+def _strongest_headings(matching: Matching, points: Array, count: int) -> Array:
     seen = Seen(matching, points)
     weights, headings = [np.zeros((len(points), 0))], [np.zeros((len(points), 0))]
     for sets in matching.level_sets:
@@ -163,6 +176,27 @@ def strongest_headings(matching: Matching, points: Array, count: int) -> Array:
         headings.append(seen.headings(sets))
     order = _first(np.concatenate(weights, axis=1), count)
     return np.take_along_axis(np.concatenate(headings, axis=1), order, 1)
+
+
+def importance_of_headings(matching: Matching, points: Array, headings: Array, tolerance: float) -> Array:
+    """Return the importance of poses that have several directions each, shape (points, headings).
+
+    Parameters
+    ----------
+    points, headings
+        Shapes (points, 2) and (points, headings), in radians.
+    tolerance
+        At which difference of directions nothing is left of a relationship's importance, in radians.
+    """
+    found = np.zeros(headings.shape)
+    for part in _parts(matching, len(points)):
+        seen = Seen(matching, points[part])
+        for sets in matching.level_sets:
+            kept, ahead = near(seen.misses(sets), matching.radius), seen.headings(sets)
+            for column in range(headings.shape[1]):
+                off = near(wrapped(ahead - headings[part, column, None]), tolerance)
+                found[part, column] += sets.best(np.minimum(kept, off) * sets.accuracy) @ sets.importance
+    return found
 
 
 def _weights(sets: LevelSets, kept: Array) -> Array:
@@ -183,10 +217,13 @@ def near(misses: Array, radius: float) -> Array:
     return kept
 
 
-def _parts(matching: Matching, count: int) -> Iterator[slice]:
-    """Yield parts of points that are few enough to be looked at all at once."""
+def _parts(matching: Matching, count: int, arrays: int = 1) -> Iterator[slice]:
+    """Yield parts of points, at least one, that are few enough to be looked at all at once.
+
+    So many arrays of points and level sets are held then.
+    """
     widest = max((len(sets.accuracy) for sets in matching.level_sets), default=1)
     edges = max(len(features.length) for features in matching.features.values())
-    size = max(1, math.floor(_HELD / max(widest, edges, 1)))
-    for first in range(0, count, size):
+    size = max(1, math.floor(_HELD / (max(widest, edges, 1) * max(arrays, 1))))
+    for first in range(0, max(count, 1), size):
         yield slice(first, first + size)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -91,6 +91,10 @@ class Patch:
     def reach(self) -> float:
         """How far points are from the middles of their blocks at most."""
         return REACH * self.lattice.step
+
+    def part(self, blocks: slice) -> Patch:
+        """Return some of its blocks."""
+        return replace(self, blocks=self.blocks[blocks], inside=self.inside[blocks])
 
     def raster(self, values: Array) -> Array:
         """Return values of its points, shape (blocks, SIDE * SIDE), as an image; NaN outside the area.

@@ -13,7 +13,7 @@ from layoutkit.model.evidence import Evidence
 from layoutkit.model.scene import Placement
 from layoutkit_placement.areas import Area
 from layoutkit_placement.propagation import remarks
-from layoutkit_placement.propagation.arrays import CLOSED, array, pairs
+from layoutkit_placement.propagation.arrays import CLOSED, array, pairs, seen_from
 from layoutkit_placement.propagation.carrying import best_corner, carried_shapes
 from layoutkit_placement.propagation.dense import contributions_at
 from layoutkit_placement.propagation.heat import Heat
@@ -128,7 +128,7 @@ class _Run:
         for name, query in self._variants(shape):
             found = candidates(query, area, lattice, task.settings, task.generator)
             self.heat.add(name, found)
-            self.found[shape] += len(found.placements)
+            self.found[shape] += len({(each.x, each.y) for each in found.placements})
             yield found
 
     def _variants(self, shape: int) -> Iterator[tuple[str, Query]]:
@@ -147,7 +147,7 @@ class _Run:
             begins = list(self._in_area(0, area, None, Limit(0)))
             ends = list(self._in_area(1, area, None, Limit(0)))
             firsts, lasts = ([each.placement for each in some] for some in (begins, ends))
-            found = list(pairs(firsts, lasts, area.polygons, self._apart()))
+            found = list(pairs(firsts, lasts, area.polygons, self._apart(), self._way()))
             if begins and not found:
                 self.remarks.append(remarks.no_array(area.polygons[0].name if area.parent else ""))
             for pair in found:
@@ -161,6 +161,11 @@ class _Run:
         first, last = self.prepared.task.shapes
         least = CLOSED * self.prepared.task.settings.array
         return least if math.dist((first.x, first.y), (last.x, last.y)) >= least else 0.0
+
+    def _way(self) -> complex:
+        """Return where the last shape of the array that is shown is, as seen from its first one."""
+        first, last = self.prepared.task.shapes
+        return seen_from(first, last) if self._apart() else 0j
 
     def _carried(self) -> Iterator[_Placed]:
         """Yield shapes that are carried over all together, by local coordinates."""

@@ -28,7 +28,7 @@ def none_good(placement: Placement, best: float, threshold: float) -> Diagnostic
     return _nowhere(
         placement,
         f"the best place keeps {best:.2g} of its relationships, and the threshold is {threshold:g}",
-        "lower the threshold to see it",
+        "lower --threshold to see it",
     )
 
 
@@ -38,12 +38,12 @@ def no_corner_alike(placement: Placement, best: float | None, threshold: float) 
         return _nowhere(
             placement,
             "the polygon that it stands in has no corner, or those like it have none",
-            "carry it by the boundary instead",
+            "carry it by the boundary instead: --carry boundary",
         )
     return _nowhere(
         placement,
         f"the corner most like its own is so by {best:.2g}, and the threshold is {threshold:g}",
-        "lower the threshold to see it, or carry it by the boundary",
+        "lower --threshold to see it, or carry it by the boundary: --carry boundary",
     )
 
 
@@ -53,7 +53,7 @@ def none_free(placement: Placement, found: int) -> Diagnostic:
     return _nowhere(
         placement,
         f"{where}, it would overlap what stands there, or stick out",
-        "let it overlap to see: crossing, overlapping",
+        "let it overlap to see: --crossing, --overlapping",
     )
 
 
@@ -99,7 +99,7 @@ def too_many(first: Placement, count: float, most: int, least: float) -> Diagnos
         "LK865",
         f"the array from {_named(first)} would have {shown} shapes, and may have {most}",
         first.place,
-        hint=f"give it a spacing of at least {_rounded_up(least):g}",
+        hint=f"give --array a spacing of at least {_rounded_up(least):g}",
         topic=_TOPIC,
     )
 
@@ -110,7 +110,7 @@ def stands_in_none(placement: Placement) -> Diagnostic:
         "LK869",
         f"{_named(placement)} stands in no polygon, so there are no local coordinates to carry it by",
         placement.place,
-        hint="propagate it by relationships instead",
+        hint="propagate it by relationships instead: --carry relationships",
         severity=Severity.WARNING,
         topic=_TOPIC,
     )

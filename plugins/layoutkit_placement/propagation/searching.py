@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from layoutkit_placement.grid import Grid
 from layoutkit_placement.propagation.bands import importance_on
 from layoutkit_placement.propagation.choosing import drawn
 from layoutkit_placement.propagation.dense import directions_at
+from layoutkit_placement.propagation.headings import with_others
 from layoutkit_placement.propagation.lattice import Patch
 from layoutkit_placement.propagation.matching import Matching
 from layoutkit_placement.propagation.maxima import apart, peaks
@@ -46,7 +48,8 @@ class Candidates:
     patch
         The grid's points.
     scores
-        Theirs, shape (rows, columns) from the patch's lower left point on; NaN outside the area.
+        Theirs, or those of poses beside them where these are greater, shape (rows, columns) from the patch's
+        lower left point on; NaN outside the area.
     """
 
     placements: tuple[Placement, ...]
@@ -80,7 +83,23 @@ def candidates(
             found = _samples(matching, patch, image, settings, generator)
         else:
             found = _maxima(matching, patch, image, settings)
-    return Candidates(tuple(_placed(query, *found)), matching, patch, image)
+    placed = tuple(_placed(query, *found))
+    return Candidates(placed, matching, patch, _with_poses(patch, image, placed))
+
+
+def _with_poses(patch: Patch, image: Array, placed: Sequence[Placement]) -> Array:
+    """Return an image in which the points nearest to poses have their scores, where these are greater.
+
+    Poses are refined between points, and a map of the points alone would have its greatest value elsewhere.
+    """
+    lattice, shown = patch.lattice, image.copy()
+    rows, columns = image.shape
+    for each in placed:
+        row = round((each.y - lattice.y) / lattice.step) - patch.row
+        column = round((each.x - lattice.x) / lattice.step) - patch.column
+        at = min(max(row, 0), rows - 1), min(max(column, 0), columns - 1)
+        shown[at] = np.fmax(shown[at], each.score or 0.0)
+    return shown
 
 
 def _maxima(
@@ -92,7 +111,7 @@ def _maxima(
     points = points[apart(points, matching.radius, _MOST)]
     points, importance = refined(matching, points)
     points, scores = _best(points, importance / matching.query.total, settings)
-    return points, directions_at(matching, points), scores
+    return with_others(matching, points, directions_at(matching, points), scores, settings.threshold)
 
 
 def _poses(

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.hooks.specs import Outcome, Stage
-from layoutkit.model.evidence import Evidence
 from layoutkit.model.learning import PlacementModel, Spacing
 from layoutkit.model.scene import Placement, Scene
 from layoutkit.scenes.relationship import Relationship
@@ -62,45 +61,44 @@ class Place(Stage):
         Raises
         ------
         Faulty
-            If there is no model, or it names functions that are not known (LK872).
+            If there is no model, it names functions that are not known, or an option makes no sense (LK872).
         """
         from layoutkit.scenes.soundness import examined
         from layoutkit.sizing.threads import single_threaded
         from layoutkit_placement.functions import BUILT_IN
         from layoutkit_placement.learning.evidence import evidence
         from layoutkit_placement.learning.models import fitted_of
+        from layoutkit_placement.learning.spacing import fill
+        from layoutkit_placement.learning.spacing import remarks as too_large
 
-        if options.model is None:
-            message, hint = "there is no model to place shapes by", "learn one from examples"
-            raise Faulty([Diagnostic("LK872", message, hint=hint, topic=_TOPIC)])
+        model = _check(options)
         start = time.perf_counter()
         with single_threaded():
-            fitted = fitted_of(options.model, options.relationships or BUILT_IN)
+            fitted = fitted_of(model, options.relationships or BUILT_IN)
             every = fitted.propose(scene)
             found = tuple(own for own in every if (own.score or 0.0) >= options.threshold)[: options.limit]
             speaking = evidence(fitted, scene, found) if options.evidence else None
-        if options.spacing is not None:
-            found, speaking = _spaced(found, options.spacing, speaking)
-        placed = replace(scene, placements=(*scene.placements, *found))
+        shapes = found if options.spacing is None else fill(found, options.spacing)
+        placed = replace(scene, placements=(*scene.placements, *shapes))
         remarks = [
             *examined(scene.polygons).left_out,
-            *_remarks(options.model, scene, fitted),
+            *_remarks(model, scene, fitted),
+            *too_large(found, options.spacing or Spacing()),
             *([] if found else [_nothing(options, scene, every, fitted.parents)]),
         ]
         yield Outcome("found", placed, tuple(remarks), time.perf_counter() - start, evidence=speaking)
 
 
-def _spaced(
-    found: tuple[Placement, ...], spacing: Spacing, evidence: Evidence | None
-) -> tuple[tuple[Placement, ...], Evidence | None]:
-    """Return the shapes that fill placements, and what speaks for each: what speaks for its placement."""
-    from layoutkit_placement.learning.spacing import filled
+def _check(options: PlaceOptions) -> PlacementModel:
+    """Return the model, or raise `Faulty` where options make no sense."""
+    from layoutkit_placement.learning.spacing import check
 
-    inside = [tuple(filled(whole, spacing)) for whole in found]
-    if evidence is not None:
-        pairs = zip(evidence.contributions, inside, strict=True)
-        evidence = replace(evidence, contributions=tuple(own for own, some in pairs for _ in some))
-    return tuple(one for some in inside for one in some), evidence
+    if options.model is None:
+        raise _faulty("there is no model to place shapes by", "learn one from examples")
+    if options.limit is not None and options.limit < 1:
+        raise _faulty(f"the limit is {options.limit}", "let at least one be placed, or leave it away")
+    check(options.spacing or Spacing())
+    return options.model
 
 
 def _remarks(model: PlacementModel, scene: Scene, fitted: Fitted) -> Iterator[Diagnostic]:
@@ -135,8 +133,6 @@ def _nothing(
     if parents.isdisjoint(own):
         named = ", ".join(" ".join(labels) for labels in sorted(parents))
         hint = f"the examples stand in {named}, and the scene has none: label alike what is alike"
-    elif options.limit == 0:
-        hint = "raise the limit, which is 0"
     elif every:
         best = every[0].score or 0.0
         message += f": the best has a score of {best:.2f}, and {options.threshold:g} is the threshold"
@@ -146,3 +142,7 @@ def _nothing(
 
 def _warning(code: str, message: str, hint: str) -> Diagnostic:
     return Diagnostic(code, message, hint=hint, severity=Severity.WARNING, topic=_TOPIC)
+
+
+def _faulty(message: str, hint: str) -> Faulty:
+    return Faulty([Diagnostic("LK872", message, hint=hint, topic=_TOPIC)])

@@ -133,11 +133,19 @@ def _shape_faults(options: PropagateOptions) -> Iterator[Diagnostic]:
         )
     for shape in options.shapes:
         numbers = (shape.x, shape.y, shape.width, shape.height, shape.angle)
-        if not all(map(math.isfinite, numbers)) or shape.width <= 0 or shape.height <= 0:
+        if not (all(map(math.isfinite, numbers)) and shape.width > 0 and shape.height > 0):
             yield _fault(
                 f"{shape.label or 'a shape'} at {shape.x:g},{shape.y:g} is {shape.width:g} by "
                 f"{shape.height:g}, which is no size",
                 "give it a width and a height above 0",
+                shape,
+            )
+        elif max(map(abs, numbers)) > _FARTHEST or min(shape.width, shape.height) < _SMALLEST:
+            yield _fault(
+                f"{shape.label or 'a shape'} at {shape.x:g},{shape.y:g} is {shape.width:g} by "
+                f"{shape.height:g}, which cannot be calculated with",
+                f"let its sizes be from {_SMALLEST:g} to {_FARTHEST:g}, and its place and angle within "
+                f"{_FARTHEST:g}",
                 shape,
             )
 
@@ -146,20 +154,23 @@ def _setting_faults(settings: PropagationSettings, target: Scene) -> Iterator[Di
     for name, least in _LEAST.items():
         value = getattr(settings, name)
         if not (math.isfinite(value) and value >= least):
-            yield _fault(f"{name} is {value:g}", f"it is at least {least:g}")
+            yield _fault(f"{name} is {value:g}", f"{_option(name)} is at least {least:g}")
     for name, most in _MOST.items():
         if getattr(settings, name) > most:
-            yield _fault(f"{name} is {getattr(settings, name):g}", f"it is at most {most:g}")
+            yield _fault(f"{name} is {getattr(settings, name):g}", f"{_option(name)} is at most {most:g}")
     for one, other in _APART:
         if _is_used(settings, one) and _is_used(settings, other):
-            yield _fault(f"{one} and {other} do not go together", f"leave one of them: {one} has no effect")
+            first, second = _option(one), _option(other)
+            yield _fault(f"{first} and {second} do not go together", f"leave {first} away: it has no effect")
     for entry in settings.clearances:
         try:
             label, distance = _clearance(entry)
         except ValueError:
             label, distance = "", -1.0
-        if not (math.isfinite(distance) and distance >= 0):
-            yield _fault(f"clearances has {entry!r}", "write a label and a distance, as in Door=0.6")
+        if not 0 <= distance <= _FARTHEST:
+            yield _fault(
+                f"clearances has {entry!r}", "write a label and a distance, as in --clearances Door=0.6"
+            )
         else:
             yield from _unknown_label(f"clearances has {label}", label, target)
     for name in ("scope", "matches_in"):
@@ -172,8 +183,18 @@ def _unknown_label(said: str, label: str, target: Scene) -> Iterator[Diagnostic]
         yield _fault(f"{said}, a label that {target.name} lacks", did_you_mean(label, target.labels))
 
 
-#: What settings are at most: what is beyond takes more memory than there is.
-_MOST: Mapping[str, float] = {"points": 4e6, "directions": 720, "samples": 100_000}
+#: Coordinates and lengths are at most so large, and sizes at least so small, in document units: products of
+#: those beyond are no numbers any more.
+_FARTHEST, _SMALLEST = 1e12, 1e-9
+#: What settings are at most: what is beyond takes more memory than there is, or is no length.
+_MOST: Mapping[str, float] = {
+    "points": 4e6,
+    "directions": 720,
+    "samples": 100_000,
+    "kernel": 1e6,
+    "density": 1e6,
+    "array": _FARTHEST,
+}
 #: Settings the first of which would do nothing beside the second.
 _APART = (
     ("samples", "poses"),
@@ -182,6 +203,11 @@ _APART = (
     ("mirrored", "carry"),
     ("samples", "carry"),
 )
+
+
+def _option(name: str) -> str:
+    """Return a setting, or the space of poses, as it is asked for on the command line."""
+    return "--space poses" if name == "poses" else f"--{name.replace('_', '-')}"
 
 
 def _is_used(settings: PropagationSettings, name: str) -> bool:

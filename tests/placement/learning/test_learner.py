@@ -81,6 +81,19 @@ def test_proposals_are_in_order_and_apart(fitted: Fitted) -> None:
     assert all(overlap(a, b) < 0.06 for k, a in enumerate(found) for b in found[:k])
 
 
+def test_scores_of_proposals_are_those_of_their_places() -> None:
+    """Where polygons lie in each other, a shape is rated by the one that it stands in."""
+    rng = np.random.default_rng(7)
+    fitted = Learner(LearningSettings(crossing=True)).fit(examples(rng, 3))
+    asked = scene(rng)
+    inner = Polygon.rectangle("Inner", 1, 1, 6, 5, ("Room",))
+    nested = replace(asked, polygons=(*asked.polygons, inner))
+    found = fitted.propose(nested)
+    assert found
+    for placement in found:
+        assert fitted.score(nested, placement) == pytest.approx(placement.score, rel=SINGLE)
+
+
 def test_a_limit_and_a_threshold_leave_the_best(fitted: Fitted) -> None:
     asked = wall("asked", 12, ASKED)
     every = fitted.propose(asked)

@@ -54,7 +54,7 @@ def with_shapes(scene: Scene, *shapes: Placement) -> Scene:
             wall("w", 11, SHOWN, True),
             {"settings": LearningSettings(tolerance=0.0)},
             "LK872",
-            "give a number of at least 0.001",
+            "give a number from 0.001 to 1000",
         ),
         (
             wall("w", 11, SHOWN, True),

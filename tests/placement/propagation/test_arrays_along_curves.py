@@ -12,7 +12,7 @@ from propagation_drawn import outcome, placed, scene
 
 from layoutkit.diagnostics import Faulty
 from layoutkit.model import Placement, Polygon, Scene
-from layoutkit_placement.propagation.arrays import MOST, Pair, array, pairs
+from layoutkit_placement.propagation.arrays import MOST, Pair, array, pairs, seen_from
 
 GARDEN = Polygon.rectangle("garden", 0, 0, 20, 12, ("garden",))
 POND = Polygon.rectangle("pond", 6, 4, 14, 8, ("pond",))
@@ -104,3 +104,25 @@ def test_an_array_without_an_end_is_told() -> None:
     assert isinstance(found.document, Scene)
     assert not found.document.placements
     assert "LK868" in [d.code for d in found.diagnostics]
+
+
+def test_a_row_along_a_wall_is_whole() -> None:
+    """Symmetric places of the last chair are nearer to the first, and do not end its row."""
+    hall = Polygon.rectangle("hall", 0, 0, 12, 4, ("hall",))
+    chairs = [Placement(x, 0.5, 0.45, 0.45, 90, "chair") for x in (1.25, 10.25)]
+    found = placed(scene([hall], "copy"), chairs, scene([hall]), array=0.8, points=20_000)
+    for y in (0.5, 3.5):
+        side = sorted(p.x for p in found if abs(p.y - y) < 0.01 and (p.score or 0) > 0.9)
+        assert len(side) == 12
+        assert np.diff(side) == pytest.approx([0.8] * 11, abs=1e-6)
+    front = [p.x for p in found if abs(p.y - 0.5) < 0.01]
+    assert min(front) == pytest.approx(1.25, abs=1e-6)
+
+
+@pytest.mark.parametrize(("mirrored", "angle"), [(False, 0.0), (False, 50.0), (True, 20.0)])
+def test_where_a_shape_is_as_seen_from_another(mirrored: bool, angle: float) -> None:
+    first = Placement(1, 2, 1, 1, angle, "chair", mirrored=mirrored)
+    ahead = math.radians(angle)
+    left = ahead + math.radians(-90 if mirrored else 90)
+    last = bush(1 + 3 * math.cos(ahead) + 2 * math.cos(left), 2 + 3 * math.sin(ahead) + 2 * math.sin(left))
+    assert seen_from(first, last) == pytest.approx(3 + 2j)

@@ -7,6 +7,8 @@ import pytest
 from propagation_drawn import POSITIONAL, functions, random_area, random_query
 
 from benchmarks.plain_propagation import plain_importance
+from layoutkit_placement.propagation import bands as narrow
+from layoutkit_placement.propagation import dense
 from layoutkit_placement.propagation.bands import bands, importance_on
 from layoutkit_placement.propagation.dense import importance_at, importance_of_poses
 from layoutkit_placement.propagation.lattice import SIDE, Patch, lattice_over
@@ -91,3 +93,31 @@ def test_patches_cover_areas_once(seed: int) -> None:
     assert (found[: lattice.rows, : lattice.columns] == expected).all()
     assert not found[lattice.rows :].any()
     assert not found[:, lattice.columns :].any()
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_parts_are_what_all_at_once_is(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """To the bit, however little is held at once."""
+    own, patch = matching(seed, everything=seed % 2 == 0)
+    points = patch.points.reshape(-1, 2)[::97]
+    field, strongest = importance_on(own, patch), dense.strongest_at(own, points, 14)
+    headings = dense.strongest_headings(own, points, 14)
+    monkeypatch.setattr(narrow, "HELD", 2000)
+    monkeypatch.setattr(dense, "_HELD", 5000)
+    looked_at: list[int] = []
+    once = narrow._importance_on
+    monkeypatch.setattr(
+        narrow, "_importance_on", lambda m, part: looked_at.append(len(part.blocks)) or once(m, part)
+    )
+    assert np.array_equal(importance_on(own, patch), field)
+    again = dense.strongest_at(own, points, 14)
+    for one, other in (
+        (again.misses, strongest.misses),
+        (again.normals, strongest.normals),
+        (again.weights, strongest.weights),
+        (dense.strongest_headings(own, points, 14), headings),
+    ):
+        assert np.array_equal(one, other)
+    widest = max(len(sets.importance) for sets in own.level_sets)
+    assert len(looked_at) > 1
+    assert max(looked_at) * widest * SIDE**2 <= 2000 or max(looked_at) == 1

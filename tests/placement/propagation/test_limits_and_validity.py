@@ -5,12 +5,18 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 import shapely
-from propagation_drawn import furnished, placed, scene
+from propagation_drawn import functions, furnished, placed, scene
 
 from layoutkit.model import Placement, Polygon
 from layoutkit.scenes.shapes import shapes
+from layoutkit_placement.areas import Area
+from layoutkit_placement.propagation.headings import with_others
+from layoutkit_placement.propagation.matching import Matching
+from layoutkit_placement.propagation.query import Query
+from layoutkit_placement.propagation.selecting import Limit, Rules, taken
 from layoutkit_placement.propagation.validation import Occupied, Standing, allowed
 
 ROOM = Polygon.rectangle("room", 0, 0, 10, 8, ("room",))
@@ -159,3 +165,32 @@ def test_what_is_occupied() -> None:
     occupied.add(Placement(0, 0, 0.5, 0.5))
     assert not occupied.free(Placement(0.2, 0.2, 0.5, 0.5))
     assert occupied.free(Placement(0.6, 0.6, 0.5, 0.5))
+
+
+def test_what_may_not_stand_one_way_stands_another() -> None:
+    """A bench in the corner of two houses, whose best direction reaches into one of them."""
+    yard = Polygon.rectangle("yard", 0, 0, 20, 20, ("yard",))
+    house = Polygon.rectangle("house", 6, 10, 14, 16, ("house",))
+    bench = Placement(10, 9.6, 2, 0.6, 0, "bench")
+    houses = [house, Polygon.rectangle("annexe", 14.7, 4, 18, 16, ("house",))]
+    target, source = scene([yard, *houses], "copy"), scene([yard, house])
+    query = Query(bench, Area((yard, house), True), functions())
+    own = Matching(query, Area((yard, *houses), True), 0.3)
+    at, angles = np.array([[14.35, 9.6], [10.0, 9.6]]), np.radians([0.0, 0.0])
+    points, turned, scores = with_others(own, at, angles, np.array([0.61, 0.6]), 0.05)
+    assert (np.diff(scores) <= 0).all()
+    assert 2 < len(points) <= 3 * 2
+    poses = [
+        replace(bench, x=x, y=y, angle=math.degrees(a)) for (x, y), a in zip(points, turned, strict=True)
+    ]
+    for k, (x, y) in enumerate(at):
+        there = [p.angle for p in poses if (p.x, p.y) == (x, y)]
+        assert there[0] == math.degrees(angles[k]), "the best one first"
+        assert all(abs(math.remainder(a - b, 360)) > 14 for n, a in enumerate(there) for b in there[:n])
+    rules = Rules(Standing(target.polygons), frozenset({("yard", False)}), None, 0.2)
+    chosen = [poses[k] for k in taken(poses, rules, Limit(0), None)]
+    places = [(p.x, p.y) for p in chosen]
+    assert sorted(places) == sorted(map(tuple, at.tolist())), "one at each point"
+    narrow = chosen[places.index((14.35, 9.6))]
+    assert abs(math.sin(math.radians(narrow.angle))) == pytest.approx(1, abs=0.01)
+    assert not placed(source, [bench], source, threshold=0.999, points=4000)[1:]

@@ -140,7 +140,7 @@ def test_round_polygons_have_no_corner_to_carry_by() -> None:
     pond = Polygon("p", tuple((3 * math.cos(a), 3 * math.sin(a)) for a in turn), ("room",))
     told = carried_nowhere(pond, moved(pond, 0, 10, 0), carry="corner")
     assert (told.code, "no corner" in told.message) == ("LK864", True)
-    assert told.hint == "carry it by the boundary instead"
+    assert told.hint == "carry it by the boundary instead: --carry boundary"
 
 
 def test_what_is_drawn_to_be_carried_is_told_as_it_was_drawn() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -108,6 +109,7 @@ def test_the_scores_are_what_the_functions_contribute() -> None:
     (heat,) = found.evidence.heat
     assert heat.name == "pose"
     rows, columns = heat.values.shape
+    assert isinstance(found.document, Scene)
     best = found.document.placements[0]
     row, column = round((best.y - heat.y) / heat.step), round((best.x - heat.x) / heat.step)
     assert 0 <= row < rows
@@ -172,3 +174,15 @@ def test_the_same_twice() -> None:
     target, source = scene(furnished(3, 1)), scene(furnished())
     for own in ({}, {"samples": 3, "threshold": 0.2}, {"space": "poses"}):
         assert placed(target, source=source, **own) == placed(target, source=source, **own)
+
+
+@pytest.mark.parametrize("space", ["positions", "poses"])
+def test_the_map_of_heat_is_highest_at_the_best_pose(space: str) -> None:
+    found = outcome(scene(furnished(10.013, 0.027)), [STAND], scene(furnished()), space=space)
+    (heat,) = found.evidence.heat
+    assert isinstance(found.document, Scene)
+    best = found.document.placements[0]
+    row, column = np.unravel_index(np.nanargmax(heat.values), heat.values.shape)
+    assert heat.values[row, column] == best.score
+    off = heat.x + column * heat.step - best.x, heat.y + row * heat.step - best.y
+    assert max(map(abs, off)) <= heat.step / 2 + 1e-9

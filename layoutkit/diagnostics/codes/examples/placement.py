@@ -66,5 +66,6 @@ EXAMPLES = {
     ),
     "LK873": Example(ROOMS, _PLACE.format("stray.xml", "other.xml"), _PLACED),
     "LK874": Example(ROOMS, _PLACE.format("room.xml", "plan.xml"), _PLACED),
+    "LK877": Example(ROOMS, f"{_PLACED} --each-width 90", _PLACED),
     "LK875": Example(ROOMS, _PLACE.format("hall.xml", "other.xml"), _PLACED),
 }
