@@ -42,9 +42,14 @@ def test_a_copy_of_a_room_has_the_shape_at_the_same_place(
 ) -> None:
     """Within a hundredth of a cell, wherever the copy is turned and moved to.
 
-    Halfway between two walls it is rounding that says which is nearer, and so how the boundary runs.
+    Halfway between two walls it is rounding that says which is nearer, and so how the boundary runs. Less
+    than a cell from the middle of an edge, what lies as far on its other side is in the same cell, and may be
+    found.
     """
     assume(abs(at_x - at_y) > 0.01)
+    assume(abs(at_y - 2) > 0.01)
+    if space == "poses":
+        assume(min(abs(at_y - 1.7), abs(at_x - 0.9), abs(at_y - 2)) > STEP)
     shape = Placement(at_x, at_y, 0.3, 0.2, heading, "stand")
     source = scene(furnished())
     target = scene([moved(polygon, angle, x, y) for polygon in source.polygons], "copy")
@@ -61,6 +66,8 @@ def test_a_copy_of_a_room_has_the_shape_at_the_same_place(
 def test_a_mirrored_room_has_the_shape_mirrored(
     angle: float, x: float, at_x: float, at_y: float, heading: float
 ) -> None:
+    assume(abs(at_x - at_y) > 0.01)
+    assume(abs(at_y - 2) > 0.01)
     shape = Placement(at_x, at_y, 0.3, 0.2, heading, "stand")
     source = scene(furnished())
     mirrored = [mirrored_polygon(polygon) for polygon in source.polygons]
