@@ -48,7 +48,7 @@ class LearningSettings:
     reach: float = _setting(
         0.5,
         "Standard deviation of what distances count, in diagonals of the placed shape: elements that are "
-        "farther away count less; 0: all count alike.",
+        "farther away count less; 0: all count alike, which takes many times as long.",
     )
     nearest: int = _setting(
         3,

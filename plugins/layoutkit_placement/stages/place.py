@@ -136,7 +136,9 @@ def _nothing(
     elif every:
         best = every[0].score or 0.0
         message += f": the best has a score of {best:.2f}, and {options.threshold:g} is the threshold"
-        hint = "lower the threshold, or raise the tolerance"
+        hint = "lower the threshold, raise the tolerance"
+        if options.model is not None and options.model.settings.hierarchy:
+            hint += ", or learn with --no-hierarchy, which relates shapes to all that is near"
     return _warning("LK875", message, hint)
 
 
