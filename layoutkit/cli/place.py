@@ -76,8 +76,12 @@ def place(
     targets = Targets(output, heat, contributions, scale)
     files = examples or []
     targets.check([*files, scene_file])
-    _check_order(files, scene_file)
-    model = _model(session, context, files, parts, label, chosen, settings)
+    if file := _model_among(files, scene_file):
+        model = _read(session, context, file, parts, label, chosen)
+    else:
+        document = learned(session, files, parts, label, chosen, settings).document
+        assert isinstance(document, PlacementModel)
+        model = document
     scene = read_scene(session, scene_file, part)
     if afresh:
         from layoutkit.cli.clearing import cleared
@@ -94,8 +98,8 @@ def place(
     return finish(session, outcome, scene, scene_file, targets, as_json)
 
 
-def _check_order(files: Sequence[Path], scene_file: Path) -> None:
-    """Raise `Faulty` unless there are examples or one model, and a scene behind them."""
+def _model_among(files: Sequence[Path], scene_file: Path) -> Path | None:
+    """Return the model, None of examples; raise `Faulty` unless there are these, and a scene behind them."""
     from layoutkit.documents import is_placement_model
 
     models = [file for file in files if is_placement_model(file)]
@@ -120,32 +124,27 @@ def _check_order(files: Sequence[Path], scene_file: Path) -> None:
     if models and len(files) > 1:
         hint = f"name it alone: `layoutkit place {models[0]} {scene_file} -o OUT.png`"
         raise misused(f"{models[0]} is a placement model, and others are named with it", hint)
+    return models[0] if models else None
 
 
-def _model(
+def _read(
     session: Session,
     context: typer.Context,
-    files: Sequence[Path],
+    file: Path,
     parts: Sequence[str] | None,
     label: str | None,
     chosen: str | None,
-    settings: LearningSettings,
 ) -> PlacementModel:
-    """Return the model that is named, or else what is learned from examples."""
+    """Return a model that was learned before, or raise `Faulty` where options would learn it otherwise."""
     from layoutkit import documents
 
-    models = [file for file in files if documents.is_placement_model(file)]
-    if not models:
-        document = learned(session, files, parts, label, chosen, settings).document
-        assert isinstance(document, PlacementModel)
-        return document
     options = [*(["--examples"] if chosen else []), *(["--example-part"] if parts else [])]
     options += given(context, LearningSettings)
     if options:
-        message = f"{models[0]} was learned already: {', '.join(options)} can change nothing"
+        message = f"{file} was learned already: {', '.join(options)} can change nothing"
         raise misused(message, "give `layoutkit learn` these options")
-    read = documents.read_placement_model(models[0])
+    read = documents.read_placement_model(file)
     session.report(read.diagnostics)
     if label not in (None, read.model.label):
-        raise misused(f"{models[0]} places {read.model.label}, and not {label}", "leave --label away")
+        raise misused(f"{file} places {read.model.label}, and not {label}", "leave --label away")
     return read.model

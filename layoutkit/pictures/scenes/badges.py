@@ -58,9 +58,8 @@ def badges(placements: Sequence[Placement], frame: Frame) -> list[Badge]:
     """Return the badges of the placements that have scores, earlier ones choosing first where they stand.
 
     A badge stands on the upper left corner of its shape, or beside the shape. It covers no more than a tenth
-    of any shape that is placed, and no other badge. That of a thin
-    shape stands beside it, and covers no shape at all. Where there is no such place, and on shapes of a few
-    pixels, there is none.
+    of any shape that is placed, and no other badge. That of a thin shape stands beside it, and covers no
+    shape at all. Where there is no such place, and on shapes of a few pixels, there is none.
     """
     shapes = np.array([_around(placement, frame) for placement in placements]).reshape(-1, 4)
     usual = max(_USUAL, min(frame.columns, frame.rows) // 60)

@@ -38,16 +38,17 @@ def _faults(settings: LearningSettings, known: Sequence[Relationship]) -> Iterat
     names = [each.name for each in known]
     for name in settings.relationships:
         if name not in names:
-            yield _fault(f"there is no relationship function {name!r}", did_you_mean(name, names))
+            yield fault(f"there is no relationship function {name!r}", did_you_mean(name, names))
         elif next(each for each in known if each.name == name).directional:
             hint = "learning relates points, which have no direction; `propagate` relates poses"
-            yield _fault(f"{name} needs a direction", hint)
+            yield fault(f"{name} needs a direction", hint)
     for name, (least, most) in _RANGES.items():
         value = getattr(settings, name)
         if not least <= value <= most and not (value == 0 and name in _NONE):
             none = "0, or " if name in _NONE else ""
-            yield _fault(f"{name} is {value:g}", f"give {none}a number from {least:g} to {most:g}")
+            yield fault(f"{name} is {value:g}", f"give {none}a number from {least:g} to {most:g}")
 
 
-def _fault(message: str, hint: str) -> Diagnostic:
+def fault(message: str, hint: str) -> Diagnostic:
+    """Return that an option of learning or placing makes no sense (LK872)."""
     return Diagnostic("LK872", message, hint=hint, topic="placement")

@@ -91,12 +91,13 @@ class Place(Stage):
 
 def _check(options: PlaceOptions) -> PlacementModel:
     """Return the model, or raise `Faulty` where options make no sense."""
+    from layoutkit_placement.learning.settings import fault
     from layoutkit_placement.learning.spacing import check
 
     if options.model is None:
-        raise _faulty("there is no model to place shapes by", "learn one from examples")
+        raise Faulty([fault("there is no model to place shapes by", "learn one from examples")])
     if options.limit is not None and options.limit < 1:
-        raise _faulty(f"the limit is {options.limit}", "let at least one be placed, or leave it away")
+        raise Faulty([fault(f"the limit is {options.limit}", "let at least one be placed, or leave it away")])
     check(options.spacing or Spacing())
     return options.model
 
@@ -144,7 +145,3 @@ def _nothing(
 
 def _warning(code: str, message: str, hint: str) -> Diagnostic:
     return Diagnostic(code, message, hint=hint, severity=Severity.WARNING, topic=_TOPIC)
-
-
-def _faulty(message: str, hint: str) -> Faulty:
-    return Faulty([Diagnostic("LK872", message, hint=hint, topic=_TOPIC)])
