@@ -19,11 +19,15 @@ from layoutkit.model.scene import Placement, Polygon, Pose, Scene
 from layoutkit.model.selection import RegionSet
 from layoutkit.model.session import Drag, Edit, RegionSize, Resize, Session, Step
 from layoutkit.model.word import END, START, Word
+from layoutkit.model.world import GROUND, Body, BodySurface, Frame, Opening, Skin, World
 
 __all__ = [
     "END",
+    "GROUND",
     "START",
     "Block",
+    "Body",
+    "BodySurface",
     "Box",
     "Building",
     "Count",
@@ -37,12 +41,14 @@ __all__ = [
     "Face",
     "Fill",
     "Footprint",
+    "Frame",
     "Grid",
     "HeatMap",
     "Layout",
     "LearningSettings",
     "Mass",
     "Measure",
+    "Opening",
     "Part",
     "Picture",
     "Piece",
@@ -58,10 +64,12 @@ __all__ = [
     "Resize",
     "Scene",
     "Session",
+    "Skin",
     "Spacing",
     "Split",
     "Step",
     "Violation",
     "Word",
+    "World",
     "place",
 ]
