@@ -1,0 +1,49 @@
+"""What operations hold that lies in files of its own: facades with their pictures, and sessions of edits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from layoutkit.model.facade import Facade
+from layoutkit.model.session import Step
+
+
+@dataclass(frozen=True)
+class Design:
+    """A facade, as an operation holds it.
+
+    Attributes
+    ----------
+    file
+        Its document, relative to that of the operations.
+    facade
+        What is in it; None where it was not read.
+    picture
+        The file that its picture is in; None where it names none.
+    """
+
+    file: str
+    facade: Facade | None = field(default=None, repr=False)
+    picture: bytes | None = field(default=None, repr=False)
+
+    def __str__(self) -> str:
+        return self.file
+
+
+@dataclass(frozen=True)
+class Steps:
+    """The edits of a session, as an operation holds them.
+
+    Attributes
+    ----------
+    file
+        Its document, relative to that of the operations.
+    steps
+        What is in force of it; None where it was not read.
+    """
+
+    file: str
+    steps: tuple[Step, ...] | None = field(default=None, repr=False)
+
+    def __str__(self) -> str:
+        return self.file
