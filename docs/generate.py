@@ -22,9 +22,12 @@ from layoutkit.diagnostics import Faulty
 from layoutkit.diagnostics.codes import CODES
 from layoutkit.diagnostics.codes.examples import GAP, UNSHOWN, Example, Frame
 from layoutkit.documents import read
+from layoutkit.documents.operation_grammar import BRANCH, OPERATIONS, holdings
 from layoutkit.documents.writing import constraint_lines
 from layoutkit.model import Facade
+from layoutkit.model.measure import format_number
 from layoutkit.samples import list_samples
+from layoutkit_operations.kinds import BUILT_IN as OPERATION_KINDS
 
 REFERENCE = Path(__file__).parent / "reference"
 HOW_TO = Path(__file__).parent / "how-to"
@@ -59,6 +62,32 @@ TYPES = {
     "paths": "paths, separated by spaces",
 }
 
+#: What the types of operations' attributes mean.
+OPERATION_TYPES = {
+    "size": "a number above 0",
+    "amount": "a number of at least 0",
+    "number": "a number",
+    "whole": "a whole number of at least 0",
+    "symbol": "a label: a letter or underscore, then letters, digits and underscores",
+    "labels": "labels, separated by spaces",
+    "text": "any text",
+    "colour": "a colour such as `#c8b090`: two hexadecimal digits each of red, green and blue",
+    "facade file": "the file of a facade's document, relative to that of the operations",
+    "session file": "the file of a session's document, relative to that of the operations",
+}
+_OPERATIONS = """\
+<operations xmlns="urn:layoutkit:1" name="houses" units="m" sites="Plot">
+  <select labels="House">
+    <extrude height="6" random="0.2">
+      <select labels="Front"> <vary facade="front.xml"/> </select>
+    </extrude>
+  </select>
+  <select labels="Tree">
+    <branch weight="3"> <extrude height="5" cap="none"/> </branch>
+    <branch/>
+  </select>
+</operations>"""
+
 
 def constraints_page() -> str:
     """Return the reference of the built-in constraints."""
@@ -80,8 +109,10 @@ def constraints_page() -> str:
 
 def _row(attribute: Attribute) -> str:
     need = "required" if attribute.required else "optional"
-    if not attribute.required and attribute.default is not None:
-        need = f"`{attribute.type.text(attribute.default)}` if left out"
+    if not attribute.required and attribute.default not in (None, "", ()):
+        default = attribute.default
+        shown = format_number(default) if isinstance(default, float) else attribute.type.text(default)
+        need = f"`{shown}` if left out"
     return f"| `{attribute.name}` | {_type(attribute.type)}, {need} | {_cell(attribute.help)} |"
 
 
@@ -126,6 +157,39 @@ def _facades(path: Path) -> Iterator[Facade]:
         model = read(path, {kind.kind: kind for kind in BUILT_IN}).model
         if isinstance(model, Facade):
             yield model
+
+
+def operations_page() -> str:
+    """Return the reference of operations documents, and of the kinds of operations that are built in."""
+    lines = ["# Reference: operations", "", NOTE, ""]
+    lines += [
+        "An operations document is a tree: each operation works on what the one that it stands in has made",
+        "or chosen, those in the root on everything. What an operation holds comes first, then the",
+        "operations that go on with all of its output, then branches, which share the output out among them.",
+        "Kinds that plugins add are elements of their own namespaces; `layoutkit schema` explains them, too.",
+        "",
+        "```xml",
+        *_OPERATIONS.splitlines(),
+        "```",
+    ]
+    for element in (OPERATIONS, BRANCH):
+        lines += _declared_element(element.name, element.help, tuple(element.attributes.values()))
+    for kind in OPERATION_KINDS:
+        lines += _declared_element(kind.kind, kind.summary, kind.attributes())
+        lines += ["", *(f"It holds `<{own.element}>`: {own.help}" for own in holdings(kind))]
+        if not holdings(kind):
+            lines.pop()
+    used = {a.type.name for kind in OPERATION_KINDS for a in kind.attributes() if not a.type.choices}
+    lines += ["", "## Values", "", "| type | is |", "|---|---|"]
+    lines += [f"| {name} | {_cell(meaning)} |" for name, meaning in OPERATION_TYPES.items() if name in used]
+    return "\n".join([*lines, ""])
+
+
+def _declared_element(name: str, help: str, attributes: tuple[Attribute, ...]) -> Iterator[str]:
+    yield from ("", f"## {name}", "", help)
+    if attributes:
+        yield from ("", "| attribute | | |", "|---|---|---|")
+        yield from map(_row, attributes)
 
 
 def codes_page() -> str:
@@ -271,7 +335,12 @@ def _value(parameter: Any) -> str:
     return "N" if parameter.type.name.split()[0] in ("integer", "float") else "TEXT"
 
 
-PAGES = {"constraints.md": constraints_page, "codes.md": codes_page, "commands.md": commands_page}
+PAGES = {
+    "constraints.md": constraints_page,
+    "operations.md": operations_page,
+    "codes.md": codes_page,
+    "commands.md": commands_page,
+}
 
 if __name__ == "__main__":
     for name, page in PAGES.items():

@@ -1,4 +1,4 @@
-"""What comes with the program: facades, each with its picture, and scenes; designs of our own."""
+"""What comes with the program: facades with pictures, scenes and pipelines; designs of our own."""
 
 from __future__ import annotations
 
@@ -51,6 +51,26 @@ class SceneSample:
     target: Path
 
 
+@dataclass(frozen=True, slots=True)
+class PipelineSample:
+    """Operations that come with the program, and what they are made on.
+
+    Attributes
+    ----------
+    description
+        What comes of them, in one line.
+    operations
+        An operations document; the facades that it names lie beside it.
+    scenes
+        Scene documents to replay it on, the first one first.
+    """
+
+    name: str
+    description: str
+    operations: Path
+    scenes: tuple[Path, ...]
+
+
 def list_samples() -> tuple[Sample, ...]:
     """Return the facades, the simplest first."""
     folder = shipped("facades")
@@ -69,19 +89,38 @@ def list_scenes() -> tuple[SceneSample, ...]:
     )
 
 
+def list_pipelines() -> tuple[PipelineSample, ...]:
+    """Return the pipelines, in the order of the registry."""
+    folder = shipped("facades")
+    return tuple(
+        PipelineSample(
+            s["name"],
+            s["description"],
+            folder / s["operations"],
+            tuple(folder / file for file in s["scenes"]),
+        )
+        for s in _index(folder)["pipeline"]
+    )
+
+
 def sample_path(name: str) -> Path:
-    """Return the facade document of a sample, or the examples of a scene.
+    """Return the facade document of a sample, the examples of a scene, or the operations of a pipeline.
 
     Raises
     ------
     Faulty
         If there is none of that name (LK710).
     """
-    sample = find_sample(name)
-    return sample.path if isinstance(sample, Sample) else sample.examples
+    match find_sample(name):
+        case Sample() as facade:
+            return facade.path
+        case SceneSample() as scene:
+            return scene.examples
+        case PipelineSample() as pipeline:
+            return pipeline.operations
 
 
-def find_sample(name: str) -> Sample | SceneSample:
+def find_sample(name: str) -> Sample | SceneSample | PipelineSample:
     """Return a sample.
 
     Raises
@@ -89,8 +128,9 @@ def find_sample(name: str) -> Sample | SceneSample:
     Faulty
         If there is none of that name (LK710).
     """
-    samples: dict[str, Sample | SceneSample] = {sample.name: sample for sample in list_samples()}
-    samples |= {scene.name: scene for scene in list_scenes()}
+    every: tuple[Sample | SceneSample | PipelineSample, ...]
+    every = (*list_samples(), *list_scenes(), *list_pipelines())
+    samples = {sample.name: sample for sample in every}
     if name not in samples:
         message = f"no sample is called {name!r}"
         raise Faulty([Diagnostic("LK710", message, hint=did_you_mean(name, samples), topic="usage")])

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from facades.painting.carpet import carpet
 from facades.painting.garden import garden
+from facades.painting.joinery import furniture
 from facades.painting.mouldings import (
     balustrade,
     cornice,
@@ -240,4 +241,5 @@ DESIGNS: Mapping[str, Design] = {
     "block": _block(),
     "garden": garden(),
     "carpet": carpet(),
+    **furniture(),
 }

@@ -12,6 +12,7 @@ import typer
 from layoutkit import __version__
 from layoutkit.cli import (
     apply,
+    batch,
     console,
     constraints,
     convert,
@@ -26,6 +27,7 @@ from layoutkit.cli import (
     propagate,
     propose,
     render,
+    replay,
     samples,
     schema,
     usage,
@@ -41,6 +43,7 @@ from layoutkit.diagnostics import Diagnostic, Faulty, Severity, blame
 COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
     (samples.samples, samples.EXAMPLES),
     (vary.vary, vary.EXAMPLES),
+    (batch.batch, batch.EXAMPLES),
     (count.count, count.EXAMPLES),
     (explain.explain, explain.EXAMPLES),
     (grids.grids, grids.EXAMPLES),
@@ -49,6 +52,7 @@ COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
     (place.place, place.EXAMPLES),
     (propagate.propagate, propagate.EXAMPLES),
     (learn.learn, learn.EXAMPLES),
+    (replay.replay, replay.EXAMPLES),
     (convert.convert, convert.EXAMPLES),
     (infer.infer, infer.EXAMPLES),
     (inspect.inspect, inspect.EXAMPLES),

@@ -28,7 +28,7 @@ def structure(source: Source, session: Session) -> tuple[Diagnostic, ...]:
     """Return the faults of a document's structure, names and sums; of a layout, also what it breaks."""
     from layoutkit import documents
 
-    found = tuple(documents.check(source, session.host.constraints))
+    found = tuple(documents.check(source, session.host.constraints, session.host.operations))
     halt(found, session)
     return found
 

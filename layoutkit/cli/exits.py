@@ -40,6 +40,10 @@ _BY_CODE: Mapping[str, Exit] = {
     "LK7": Exit.USAGE,
     "LK857": Exit.USAGE,  # a scene to choose of several
     "LK858": Exit.USAGE,  # a scene that a file lacks
+    "LK890": Exit.USAGE,  # a folder that holds other results
+    "LK891": Exit.USAGE,  # a folder in use
+    "LK893": Exit.USAGE,  # a cluster that is not there
+    "LK894": Exit.USAGE,  # or is not like this machine
     "LK9": Exit.INTERNAL,
 }
 

@@ -1,4 +1,4 @@
-"""``layoutkit inspect``: what a document holds, as lines or JSON: regions, grids, faces, edits, polygons."""
+"""``layoutkit inspect``: what a document holds, as lines or JSON: regions, polygons, operations and more."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from layoutkit.cli import console
+from layoutkit.cli.operations_summary import operations_data, operations_lines
 from layoutkit.cli.options import Json
 from layoutkit.cli.scene_files import Part
 from layoutkit.cli.scene_summary import model_data, model_lines, scene_data, scene_lines
@@ -39,17 +40,18 @@ def inspect(
         Path,
         typer.Argument(
             metavar="DOC",
-            help="A facade, layout, mass, session or scene document, a placement model, or a drawing that is "
-            "read as a scene.",
+            help="A facade, layout, mass, session, scene or operations document, a placement model, or a "
+            "drawing that is read as a scene.",
         ),
     ],
     part: Part = None,
     as_json: Json = False,
 ) -> int:
-    """Show what a document holds: regions, faces of a mass, edits of a session, or what stands in a scene.
+    """Show what a document holds: regions, faces, edits, operations, or what stands in a scene.
 
     Regions are shown with symbols, labels and sizes; the grids of a facade follow, row by row. Polygons of a
-    scene are shown below the one that they are inside of.
+    scene are shown below the one that they are inside of, and operations below the one whose output they work
+    on.
 
     With --json: boxes [x0, y0, x1, y1] in document units, y up, and the part of the picture, in its pixels
     and y down, that the document covers. The faces of a building stand side by side. Rows of grids hold
@@ -75,6 +77,11 @@ def inspect(
         learned = documents.read_placement_model(document_file)
         session.report(learned.diagnostics)
         data, lines = model_data(learned.model), model_lines(learned.model)
+    elif documents.is_operations(document_file):
+        host = session.host
+        told = documents.read_operations(document_file, host.operations, host.constraints)
+        session.report(told.diagnostics)
+        data, lines = operations_data(told.operations), operations_lines(told.operations)
     elif part is not None or is_drawn(session, document_file):
         drawn = read_scene(session, document_file, part)
         data, lines = scene_data(drawn), scene_lines(drawn)

@@ -113,7 +113,6 @@ def learned(
     named: Sequence[str | None] = parts or [None]
     first, *more = [read_scene(session, file, part) for file in files for part in named]
     asked: dict[str, Any] = {"label": label or "", "more": tuple(more), "settings": settings}
-    asked["relationships"] = tuple(session.host.relationships.values())
     if chosen is not None:
         asked["chosen"] = _numbers(chosen)
     (outcome,) = session.run("learn", first, **asked)

@@ -88,7 +88,6 @@ def place(
 
         scene = cleared(scene, model.label)
     asked: dict[str, Any] = {"limit": limit, "evidence": targets.evidence}
-    asked["relationships"] = tuple(session.host.relationships.values())
     if spacing != Spacing():
         asked["spacing"] = spacing
     if threshold is not None:

@@ -102,8 +102,7 @@ def propagate(
 
         for own in dict.fromkeys(each.label for each in shapes):
             scene = cleared(scene, own)
-    known = tuple(session.host.relationships.values())
-    asked = {"shapes": shapes, "source": source, "settings": settings, "relationships": known, "seed": seed}
+    asked = {"shapes": shapes, "source": source, "settings": settings, "seed": seed}
     (outcome,) = session.run("propagate", scene, **asked)
     session.report(outcome.diagnostics)
     return finish(session, outcome, scene, scene_file, targets, as_json)

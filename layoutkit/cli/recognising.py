@@ -45,10 +45,12 @@ def scene_formats(session: Session, path: Path) -> list[SceneFormat]:
 
 def way_on(session: Session, path: Path) -> str:
     """Return how to come from a file that is no facade to one; empty where that is not known."""
-    from layoutkit.documents import is_session
+    from layoutkit.documents import is_operations, is_session
 
     if is_session(path):
         return f"`layoutkit apply {path} -o edited.xml` makes the facade that it leads to"
+    if is_operations(path):
+        return f"`layoutkit replay {path} SCENE -o out` makes the operations in a scene"
     if scene_formats(session, path) and not recognising(session, path):
         return f"`layoutkit convert {path} -o OUT.xml` makes a scene of it, and no facade"
     if recognising(session, path):

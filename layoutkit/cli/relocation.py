@@ -40,6 +40,15 @@ def with_picture_file(source: bytes, file: str) -> bytes:
     return _renamed(source, lambda _: file)
 
 
+def picture_file(source: bytes) -> str | None:
+    """Return the name of a document's picture; None where it has none, or cannot be read."""
+    try:
+        spot = _spot(source)
+    except (expat.ExpatError, ValueError, LookupError):  # which is for its reader to tell
+        return None
+    return None if spot is None else spot.file
+
+
 def _renamed(source: bytes, rename: Callable[[str], str]) -> bytes:
     spot = _spot(source)
     if spot is None or (file := rename(spot.file)) == spot.file:

@@ -14,6 +14,8 @@ from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
 from layoutkit.model import Facade, Layout, Picture
 
 if TYPE_CHECKING:
+    from PIL.Image import Image
+
     from layoutkit.pictures import Exhibit, Photo
 
 #: The copy of the facade's document that layouts in the folder refer to.
@@ -73,22 +75,16 @@ class ResultFolder:
         Faulty
             If the layout breaks a constraint (LK902), which is never written; or a file cannot be written.
         """
-        from layoutkit.documents import layout_bytes
-        from layoutkit.pictures import Exhibit, png_bytes, render_png
+        from layoutkit.pictures import Exhibit, render_png
 
-        if broken := layout.violations():
-            raise Faulty([_breaking(layout, [f"{v.path}: {v.message}" for v in broken])])
-        name = f"variation-{number:0{self.digits}d}"
+        refuse_broken(layout)
+        name = variation_name(number, self.digits)
         image = render_png(layout, self.photo, scale=self.scale)
-        picture = Picture(f"{name}.png", (0.0, 0.0, float(image.width), float(image.height)))
-        building = layout.facade.building if layout.facade else None
-        mass = building.mass if building else None
-        written = replace(layout, facade_file=FACADE_FILE, picture=picture, mass=mass)
-        self.session.write(self.folder / picture.file, png_bytes(image))
-        self.session.write(self.folder / f"{name}.xml", layout_bytes(written))
+        for file, data in variation_files(name, layout, image):
+            self.session.write(self.folder / file, data)
         root = layout.root
         exhibit = Exhibit(image, layout.name, root.width, root.height, layout.units)
-        return Variation(self.folder / f"{name}.xml", self.folder / picture.file, exhibit)
+        return Variation(self.folder / f"{name}.xml", self.folder / f"{name}.png", exhibit)
 
     def write_sheet(self, variations: Sequence[Variation]) -> Path:
         """Write the contact sheet: the input, and every variation beside it."""
@@ -105,6 +101,35 @@ class ResultFolder:
         """Return a warning of variations that an earlier run left in the folder, if there are any."""
         own = {path.name for v in variations for path in (v.layout, v.picture)}
         return left_over(self.folder, _VARIATION, own)
+
+
+def variation_name(number: int, digits: int) -> str:
+    """Return what the files of a variation are called."""
+    return f"variation-{number:0{digits}d}"
+
+
+def variation_files(name: str, layout: Layout, image: Image | None) -> tuple[tuple[str, bytes], ...]:
+    """Return the files of a variation, by name: its picture, if it has one, and its document.
+
+    They belong into a folder with the facade's document, under the name `FACADE_FILE`.
+    """
+    from layoutkit.documents import layout_bytes
+    from layoutkit.pictures import png_bytes
+
+    building = layout.facade.building if layout.facade else None
+    mass = building.mass if building else None
+    written = replace(layout, facade_file=FACADE_FILE, mass=mass)
+    if image is None:
+        return ((f"{name}.xml", layout_bytes(written)),)
+    picture = Picture(f"{name}.png", (0.0, 0.0, float(image.width), float(image.height)))
+    document = layout_bytes(replace(written, picture=picture))
+    return ((picture.file, png_bytes(image)), (f"{name}.xml", document))
+
+
+def refuse_broken(layout: Layout) -> None:
+    """Raise `Faulty` if a layout breaks a constraint (LK902): such a layout is never written."""
+    if broken := layout.violations():
+        raise Faulty([_breaking(layout, [f"{v.path}: {v.message}" for v in broken])])
 
 
 def write_facade(session: Session, folder: Path, source: bytes, picture: Path | None) -> None:

@@ -1,4 +1,4 @@
-"""``layoutkit schema``: the XSD of documents, with the constraints of all plugins."""
+"""``layoutkit schema``: the XSD of documents, with the constraints and operations of all plugins."""
 
 from __future__ import annotations
 
@@ -30,21 +30,23 @@ def schema(
         typer.Option(
             "--namespace",
             metavar="PREFIX",
-            help="Instead the part with the constraints of one plugin, by the prefix of its namespace.",
+            help="Instead the part with the constraints and operations of one plugin, by the prefix of its "
+            "namespace.",
         ),
     ] = None,
 ) -> int:
-    """Print the XML schema of documents, the constraints of installed plugins included.
+    """Print the XML schema of documents, the constraints and operations of installed plugins included.
 
-    An XML editor that is given it completes names and explains every element and attribute. The constraints
-    of plugins stand in namespaces of their own, and so in files of their own: with -o they are written beside
-    the schema, which imports them.
+    An XML editor that is given it completes names and explains every element and attribute. What plugins add
+    stands in namespaces of their own, and so in files of their own: with -o they are written beside the
+    schema, which imports them.
     """
     from layoutkit import documents
 
     session = Session.of(context)
-    parts = dict(documents.schemas(session.host.constraints))
-    main = parts.pop("layoutkit.xsd")
+    host, name = session.host, "layoutkit.xsd" if output is None else output.name
+    parts = dict(documents.schemas(host.constraints, host.operations, name))
+    main = parts.pop(name)
     if namespace is not None:
         main, parts = _part(parts, namespace), {}
     if output is None:
@@ -57,11 +59,11 @@ def schema(
 
 
 def _part(parts: Mapping[str, bytes], prefix: str) -> bytes:
-    """Return the schema of one plugin's constraints."""
+    """Return the schema of one plugin's constraints and operations."""
     name = f"{prefix}.xsd"
     if name in parts:
         return parts[name]
     known = [file.removesuffix(".xsd") for file in parts]
-    message = f"no plugin has constraints of the prefix {prefix!r}"
+    message = f"no plugin has constraints or operations of the prefix {prefix!r}"
     hint = did_you_mean(prefix, known) if known else "`layoutkit plugins` lists what is loaded"
     raise Faulty([Diagnostic("LK406", message, hint=hint, topic="plugin")])

@@ -6,7 +6,7 @@ import os
 import sys
 import threading
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,13 +17,13 @@ from layoutkit.cli import console
 from layoutkit.cli.exits import Exit, exit_of_code
 from layoutkit.cli.recognising import way_on
 from layoutkit.diagnostics import Diagnostic, Faulty, Place, Severity
-from layoutkit.diagnostics.blame import Misbehaviour
 from layoutkit.model import Facade, Scene
 
 if TYPE_CHECKING:
     from layoutkit.documents import Document
     from layoutkit.hooks import Outcome
     from layoutkit.hooks.host import Host
+    from layoutkit.hooks.running import Runner
     from layoutkit.sizing.qp import Backend
 
 #: Seconds for what there is to say, where a plugin that cannot be interrupted ends the program.
@@ -148,28 +148,19 @@ class Session:
         Misbehaviour
             If the stage takes documents of another kind, or yields something else than outcomes.
         """
-        from layoutkit.hooks import Outcome
-
-        found = self.host.stages.find(stage)
-        if not isinstance(document, found.takes):
-            kind = type(document).__name__
-            raise Misbehaviour(found, f"takes a {found.takes.__name__}, and {stage} is asked of a {kind}")
-        asked = found.options()
-        if any(field.name == "backends" for field in fields(asked)):
-            options = {"backends": self.backends, **options}
-        for outcome in found.run(document, replace(asked, **options)):
-            if not isinstance(outcome, Outcome):
-                raise Misbehaviour(found, f"yields {outcome!r}, and no Outcome")
-            yield outcome
+        yield from self.stages(stage, document, **options)
 
     @cached_property
+    def stages(self) -> Runner:
+        """What runs stages, with what they are handed of all plugins."""
+        from layoutkit.hooks.running import Runner
+
+        return Runner(self.host, self.backend)
+
+    @property
     def backends(self) -> tuple[Backend, ...]:
         """The solvers of quadratic programs, in the order in which they are asked."""
-        known = self.host.backends
-        if self.backend is None:
-            return tuple(known.values())
-        first = known.find(self.backend)
-        return (first, *(other for other in known.values() if other is not first))
+        return self.stages.backends
 
     def write(self, path: Path, data: bytes) -> None:
         """Write a file whole or not at all, its folder made if missing.

@@ -71,8 +71,8 @@ def validate(
         list[str],
         typer.Argument(
             metavar="FILE...",
-            help="Facade, layout, mass, session and scene documents, and placement models (XML); folders: "
-            "all .xml files in them; quoted patterns such as 'out/**/*.xml'; - for standard input.",
+            help="Facade, layout, mass, session, scene and operations documents, and placement models (XML); "
+            "folders: all .xml files in them; quoted patterns such as 'out/**/*.xml'; - for standard input.",
         ),
     ],
     report_format: Annotated[
@@ -118,10 +118,10 @@ def validate(
     ] = False,
     as_json: Json = False,
 ) -> int:
-    """Find every fault of facade, layout, mass, session and scene documents: file, line, reason and remedy.
+    """Find every fault of documents: file, line, reason and remedy.
 
     A layout is also checked against the constraints of the facade that it names, and of a session that facade
-    is checked with it.
+    is checked with it. So are the facades and sessions that operations name.
     """
     from layoutkit.reports import Report
 

@@ -5,6 +5,12 @@ from layoutkit.documents.files import load, save
 from layoutkit.documents.grammar import NAMESPACE
 from layoutkit.documents.insertion import with_constraints, with_grids
 from layoutkit.documents.masses import MassDocument, is_mass, read_mass
+from layoutkit.documents.operations import (
+    OperationsDocument,
+    is_operations,
+    read_operations,
+    read_operations_files,
+)
 from layoutkit.documents.placement_models import (
     PlacementModelDocument,
     is_placement_model,
@@ -19,6 +25,7 @@ from layoutkit.documents.writing import (
     facade_bytes,
     layout_bytes,
     mass_bytes,
+    operations_bytes,
     placement_model_bytes,
     scene_bytes,
     session_bytes,
@@ -28,6 +35,7 @@ __all__ = [
     "NAMESPACE",
     "Document",
     "MassDocument",
+    "OperationsDocument",
     "PlacementModelDocument",
     "SceneDocument",
     "SessionDocument",
@@ -36,15 +44,19 @@ __all__ = [
     "facade_bytes",
     "is_facade",
     "is_mass",
+    "is_operations",
     "is_placement_model",
     "is_scene",
     "is_session",
     "layout_bytes",
     "load",
     "mass_bytes",
+    "operations_bytes",
     "placement_model_bytes",
     "read",
     "read_mass",
+    "read_operations",
+    "read_operations_files",
     "read_placement_model",
     "read_scene",
     "read_session",

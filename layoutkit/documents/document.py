@@ -9,13 +9,14 @@ from pathlib import Path, PurePosixPath
 from layoutkit.constraints import Constraint
 from layoutkit.constraints.dressing import dressed, dressing_faults
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean, worst
+from layoutkit.documents.beside import DISK, Files
 from layoutkit.documents.facade_regions import FacadeReader
-from layoutkit.documents.files import like_one_beside
 from layoutkit.documents.grammar import FACADE, LAYOUT, LAYOUT_MASS, MASS, NAMESPACE, SESSION
 from layoutkit.documents.grids import check_grids, read_grids
 from layoutkit.documents.kinds import Kinds, check_constraints, read_constraints
 from layoutkit.documents.makers import Maker, Numbers, Regions
 from layoutkit.documents.masses import mass_of
+from layoutkit.documents.operation_grammar import OPERATIONS
 from layoutkit.documents.picture import picture_of
 from layoutkit.documents.reading import Reading, in_order
 from layoutkit.documents.roots import is_rooted
@@ -40,6 +41,7 @@ _OTHERS = {
     SESSION.name: "name the facade that it edits, which its attribute facade says",
     SCENE.name: "name a facade or layout; `place` and `propagate` take scenes",
     PLACEMENT_MODEL.name: "name a facade or layout; `place` takes models of placements",
+    OPERATIONS.name: "name a facade or layout; `replay` takes operations",
 }
 _NO_TREE = Region("", math.nan, math.nan)
 
@@ -261,7 +263,12 @@ def _facade_of(layout: Layout, root: Element, kinds: Kinds, reading: Reading) ->
 
 
 def named_facade(
-    file: str, root: Element, kinds: Kinds, reading: Reading, missing: Severity
+    file: str,
+    root: Element,
+    kinds: Kinds,
+    reading: Reading,
+    missing: Severity,
+    files: Files = DISK,
 ) -> Facade | None:
     """Return the facade that another document names; None if it is not there, or has errors.
 
@@ -275,15 +282,18 @@ def named_facade(
         That of the document.
     missing
         How grave it is that the file is not there.
+    files
+        Where it is looked for.
     """
     path, document = Path(root.file).parent / file, root.name
     try:
-        if not path.is_file():  # a device or pipe that a document names is not to be read
+        source = files.source(path)
+        if source is None:
             message = f"the {document}'s facade {file!r} is not there"
-            hint = _missing_hint(file, path)
+            hint = missing_hint(file, path, files, "the facade", "facade")
             reading.diagnostics.append(Diagnostic("LK504", message, root.place, hint, missing, document))
             return None
-        facade_root = stream(Source.of(path), lambda layout, root: Numbers()).root
+        facade_root = stream(source, lambda layout, root: Numbers()).root
         if facade_root.name in _INSTEAD:
             message = f"{file!r} is no facade, but a {facade_root.name}"
             reading.fault("LK505", message, root, _INSTEAD[document], document)
@@ -302,10 +312,21 @@ def named_facade(
     return None if facade_reading.diagnostics.erroneous else facade
 
 
-def _missing_hint(name: str, path: Path) -> str:
-    near = like_one_beside(path)
+def missing_hint(name: str, path: Path, files: Files, what: str, attribute: str) -> str:
+    """Say what to do about a file that is not there: it may be misspelt.
+
+    Parameters
+    ----------
+    name, path
+        As the document names it, and where that is.
+    what
+        What it is.
+    attribute
+        What names it.
+    """
+    near = files.near(path)
     if near is None:
-        return "put the facade there, or correct the attribute facade"
+        return f"put {what} there, or correct the attribute {attribute}"
     return f"did you mean {PurePosixPath(name).with_name(near.name).as_posix()!r}?"
 
 

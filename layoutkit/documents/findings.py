@@ -53,9 +53,14 @@ class Findings:
             self._beyond[kind] = _clipped(diagnostic)
 
     @property
+    def errors(self) -> int:
+        """How many of them are errors."""
+        return sum(count for (_, severity), count in self._counts.items() if severity is Severity.ERROR)
+
+    @property
     def erroneous(self) -> bool:
         """Whether one of them is an error."""
-        return any(severity is Severity.ERROR for _, severity in self._counts)
+        return self.errors > 0
 
 
 def _clipped(diagnostic: Diagnostic) -> Diagnostic:

@@ -8,6 +8,7 @@ from pathlib import PurePath
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
 from layoutkit.documents.grammar import FACADE, LAYOUT, MASS, SESSION
+from layoutkit.documents.operation_grammar import OPERATIONS
 from layoutkit.documents.scene_grammar import PLACEMENT_MODEL, SCENE
 from layoutkit.documents.source import Source
 
@@ -15,7 +16,7 @@ _SUFFIXES = (".md", ".markdown")
 _LINE_END = re.compile(r"\r\n|\r|\n")
 _OPENING = re.compile(r"[ \t>]*(?P<fence>`{3,}|~{3,})[ \t]*xml\b[^`]*", re.IGNORECASE)
 #: The first tag of a document of ours, whatever its prefix; before it only comments and instructions.
-_ROOTS = "|".join(root.name for root in (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL))
+_ROOTS = "|".join(root.name for root in (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL, OPERATIONS))
 _DOCUMENT = re.compile(rf"\s*(?:<\?.*?\?>\s*|<!--.*?-->\s*)*<(?:[\w.-]+:)?(?:{_ROOTS})[\s/>]", re.DOTALL)
 
 

@@ -54,16 +54,24 @@ def read_placement_model(document: Path | str | Source) -> PlacementModelDocumen
     """
     hint = "what was learned from examples is described by <placement-model>, which holds them"
     root, reading = opened(document, PLACEMENT_MODEL, hint)
-    values = reading.values(root, PLACEMENT_MODEL)
-    found = list(_examples(root, values.get("units") or "m", values.get("label"), reading))
-    if not root.children:
-        reading.fault("LK107", "<placement-model> has no <example>", root, "add what it was learned from")
-    if reading.diagnostics.erroneous:
+    model = placement_model_of(root, reading)
+    if model is None or reading.diagnostics.erroneous:
         raise Faulty(reading.ordered())
+    return PlacementModelDocument(model, reading.ordered())
+
+
+def placement_model_of(element: Element, reading: Reading) -> PlacementModel | None:
+    """Return the model that an element describes; None if it cannot be read. Faults are recorded."""
+    before = reading.diagnostics.errors
+    values = reading.values(element, PLACEMENT_MODEL)
+    found = tuple(_examples(element, values.get("units") or "m", values.get("label"), reading))
+    if not element.children:
+        reading.fault("LK107", "<placement-model> has no <example>", element, "add what it was learned from")
+    if reading.diagnostics.errors > before:
+        return None
     settings = {setting.field_name: values[setting.name] for setting in SETTINGS if setting.name in values}
     learning = LearningSettings(**settings)
-    model = PlacementModel(values["name"], values["units"], values["label"], tuple(found), learning)
-    return PlacementModelDocument(model, reading.ordered())
+    return PlacementModel(values["name"], values["units"], values["label"], found, learning)
 
 
 def model_fields(model: PlacementModel) -> dict[str, Any]:

@@ -34,6 +34,7 @@ from layoutkit.documents.grammar import (
     SIZE,
     ElementType,
 )
+from layoutkit.documents.operation_grammar import BRANCH, OPERATIONS
 from layoutkit.documents.scene_grammar import (
     CORNER,
     EDGE,
@@ -45,10 +46,10 @@ from layoutkit.documents.scene_grammar import (
 )
 from layoutkit.documents.tree import Element
 
-_DOCUMENTS = (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL)
+_DOCUMENTS = (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL, OPERATIONS)
 _PARTS = (
     *(PICTURE, REGION, AGAIN, CONSTRAINTS, GRIDS, GRID, BOX, FOOTPRINT, EDIT, RESIZE, DRAG, REGION_SIZE),
-    *(POLYGON, EDGE, CORNER, PLACEMENT, EXAMPLE),
+    *(POLYGON, EDGE, CORNER, PLACEMENT, EXAMPLE, BRANCH),
 )
 _ELEMENTS = {declared.name for declared in (*_DOCUMENTS, *_PARTS)}
 _INSTANCE = "http://www.w3.org/2001/XMLSchema-instance"

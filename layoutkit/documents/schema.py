@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from layoutkit.constraints import Constraint
 from layoutkit.constraints.attributes import AttributeType
 from layoutkit.constraints.namespace import CORE, Namespace
+from layoutkit.diagnostics.origin import PROJECT
 from layoutkit.documents.grammar import (
     AGAIN,
     BOX,
@@ -34,7 +35,15 @@ from layoutkit.documents.grammar import (
     SESSION,
     ElementType,
 )
-from layoutkit.documents.kinds import Kinds, declared
+from layoutkit.documents.kind_elements import declared
+from layoutkit.documents.kinds import Kinds
+from layoutkit.documents.operation_grammar import (
+    BRANCH,
+    NO_OPERATIONS,
+    OPERATIONS,
+    OperationKinds,
+    holdings,
+)
 from layoutkit.documents.scene_grammar import (
     CORNER,
     EDGE,
@@ -44,7 +53,12 @@ from layoutkit.documents.scene_grammar import (
     POLYGON,
     SCENE,
 )
+from layoutkit.operations import Operation
 
+#: The file of documents' own namespace.
+_NAME = "layoutkit.xsd"
+#: Groups of elements: operations; and all that may stand in one besides what it holds.
+_OPERATIONS, _INSIDE = "Operations", "Inside"
 _MASS_PARTS, _STEPS = (BOX, FOOTPRINT), (EDIT, RESIZE, DRAG, REGION_SIZE)
 #: Of what need not be there.
 _NONE = {"minOccurs": "0"}
@@ -56,25 +70,33 @@ _NAMESPACES = {
 }
 
 
-def schemas(kinds: Kinds) -> Mapping[str, bytes]:
+def schemas(
+    kinds: Kinds, operations: OperationKinds = NO_OPERATIONS, name: str = _NAME
+) -> Mapping[str, bytes]:
     """Return the schema of all kinds of documents: one file a namespace, by its name.
 
-    The first one, ``layoutkit.xsd``, imports the others, which hold the constraints of plugins and are named
-    by the prefixes of these.
+    The first one imports the others, which hold the constraints and operations of plugins and are named by
+    the prefixes of these.
 
     Parameters
     ----------
-    kinds
-        Constraint kinds by the name of their element, plugins' kinds among them.
+    kinds, operations
+        Kinds of constraints and of operations by the name of their element, plugins' kinds among them.
+    name
+        That of the first file.
     """
-    return {"layoutkit.xsd": schema(kinds), **{_file(own): _part(own, kinds) for own in _foreign(kinds)}}
+    parts = {_file(own): _part(own, kinds, operations, name) for own in _foreign(kinds, operations)}
+    return {name: schema(kinds, operations), **parts}
 
 
-def schema(kinds: Kinds) -> bytes:
-    """Return the schema of documents alone; those of plugins' constraints are imported by their files."""
-    foreign = _foreign(kinds)
+def schema(kinds: Kinds, operations: OperationKinds = NO_OPERATIONS) -> bytes:
+    """Return the schema of documents alone; what plugins add to it is imported by their files."""
+    foreign = _foreign(kinds, operations)
     root = ET.Element("xs:schema", {**_NAMESPACES, **{f"xmlns:{own.prefix}": own.uri for own in foreign}})
-    _explain(root, "Facade, layout, mass, session and scene documents of layoutkit, and placement models.")
+    _explain(
+        root,
+        "Facade, layout, mass, session, scene and operations documents of layoutkit, and placement models.",
+    )
     for own in foreign:
         _add(root, "import", namespace=own.uri, schemaLocation=_file(own))
     for document in (FACADE, LAYOUT):
@@ -106,7 +128,41 @@ def schema(kinds: Kinds) -> bytes:
                 _declare(choice, kind)
             else:
                 _add(choice, "element", ref=kind.qualified_name())
+    _add_operations(root, operations)
     return _written(root)
+
+
+def _add_operations(root: ET.Element, kinds: OperationKinds) -> None:
+    """Declare operations trees: what may stand in an operation is a group, which plugins' kinds use, too."""
+    whole = _sequence(_explained(root, "element", OPERATIONS.help, name=OPERATIONS.name), OPERATIONS)
+    _add(whole, "group", ref=_OPERATIONS)
+    group = _add(_add(root, "group", name=_OPERATIONS), "sequence")
+    if kinds:
+        choice = _add(group, "choice", minOccurs="0", maxOccurs="unbounded")
+        for kind in kinds.values():
+            if kind.namespace == CORE:
+                _declare_operation(choice, kind)
+            else:
+                _add(choice, "element", ref=kind.qualified_name())
+    inside = _add(_add(root, "group", name=_INSIDE), "sequence")
+    _add(inside, "group", ref=_OPERATIONS)
+    branch = _explained(inside, "element", BRANCH.help, name=BRANCH.name, **_NONE, maxOccurs="unbounded")
+    _add(_sequence(branch, BRANCH), "group", ref=_OPERATIONS)
+
+
+def _declare_operation(parent: ET.Element, kind: type[Operation], prefix: str = "") -> None:
+    """Declare an operation's element: its attributes, what it holds, and what may stand in it.
+
+    Parameters
+    ----------
+    prefix
+        Of the documents' namespace, with its colon, where it is not the default one.
+    """
+    known = declared(kind)
+    parts = _sequence(_explained(parent, "element", known.help, name=known.name), known)
+    for holding in holdings(kind):
+        _explained(parts, "element", holding.help, ref=prefix + holding.element, **_NONE)
+    _add(parts, "group", ref=prefix + _INSIDE)
 
 
 def _add_scenes(root: ET.Element) -> None:
@@ -131,23 +187,30 @@ def _add_shapes(some: ET.Element) -> None:
         _explained(some, "element", kind.help, name=kind.name, type=name)
 
 
-def _foreign(kinds: Kinds) -> tuple[Namespace, ...]:
+def _foreign(kinds: Kinds, operations: OperationKinds) -> tuple[Namespace, ...]:
     """Return the namespaces of plugins' kinds, each once."""
-    return tuple(dict.fromkeys(kind.namespace for kind in kinds.values() if kind.namespace != CORE))
+    used = [kind.namespace for kind in kinds.values()] + [kind.namespace for kind in operations.values()]
+    return tuple(dict.fromkeys(own for own in used if own != CORE))
 
 
 def _file(own: Namespace) -> str:
     return f"{own.prefix}.xsd"
 
 
-def _part(own: Namespace, kinds: Kinds) -> bytes:
-    """Return the schema of one plugin's constraints."""
+def _part(own: Namespace, kinds: Kinds, operations: OperationKinds, main: str) -> bytes:
+    """Return the schema of one plugin's constraints and operations; these hold what the main one has."""
+    constraints = [kind for kind in kinds.values() if kind.namespace == own]
+    steps = [kind for kind in operations.values() if kind.namespace == own]
     namespaces = {"xmlns:xs": _NAMESPACES["xmlns:xs"], "targetNamespace": own.uri}
-    root = ET.Element("xs:schema", namespaces)
-    _explain(root, f"Constraints of {own.uri}, for facade documents of layoutkit.")
-    for kind in kinds.values():
-        if kind.namespace == own:
-            _declare(root, kind)
+    root = ET.Element("xs:schema", {**namespaces, **({f"xmlns:{PROJECT}": NAMESPACE} if steps else {})})
+    some = " and ".join(["Constraints"] * bool(constraints) + ["operations"] * bool(steps)).capitalize()
+    _explain(root, f"{some} of {own.uri}, for documents of layoutkit.")
+    if steps:
+        _add(root, "import", namespace=NAMESPACE, schemaLocation=main)
+    for kind in constraints:
+        _declare(root, kind)
+    for step in steps:
+        _declare_operation(root, step, f"{PROJECT}:")
     return _written(root)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean
+from layoutkit.documents.beside import DISK, Files
 from layoutkit.documents.document import named_facade
 from layoutkit.documents.grammar import DRAG, EDIT, REGION_SIZE, RESIZE, SESSION, ElementType
 from layoutkit.documents.kinds import Kinds
@@ -55,7 +56,7 @@ def is_session(document: Path | str | Source) -> bool:
     return is_rooted(document, SESSION)
 
 
-def read_session(document: Path | str | Source, kinds: Kinds) -> SessionDocument:
+def read_session(document: Path | str | Source, kinds: Kinds, files: Files = DISK) -> SessionDocument:
     """Read a session document, and the facade that it names.
 
     That its edits can be made is not checked, as that takes making them.
@@ -64,6 +65,8 @@ def read_session(document: Path | str | Source, kinds: Kinds) -> SessionDocument
     ----------
     kinds
         Constraint kinds by the name of their element, for the facade.
+    files
+        Where the facade is looked for.
 
     Raises
     ------
@@ -78,7 +81,7 @@ def read_session(document: Path | str | Source, kinds: Kinds) -> SessionDocument
     if count is not None and count > len(root.children):
         message = f"{count} edits are said to be in force, and the session has {len(root.children)}"
         reading.fault("LK105", message, root, "lower the attribute done, or delete it: then all are")
-    facade = None if file is None else named_facade(file, root, kinds, reading, Severity.ERROR)
+    facade = None if file is None else named_facade(file, root, kinds, reading, Severity.ERROR, files)
     if facade is not None:
         _check_grids(steps, facade, reading)
     if facade is None or reading.diagnostics.erroneous:

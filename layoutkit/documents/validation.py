@@ -15,6 +15,8 @@ from layoutkit.documents.fragments import fragments, is_text
 from layoutkit.documents.kinds import Kinds
 from layoutkit.documents.makers import Maker, Numbers
 from layoutkit.documents.masses import is_mass, read_mass
+from layoutkit.documents.operation_grammar import NO_OPERATIONS, OperationKinds
+from layoutkit.documents.operations import is_operations, read_operations
 from layoutkit.documents.placement_models import is_placement_model, read_placement_model
 from layoutkit.documents.places import places
 from layoutkit.documents.reading import in_order
@@ -25,7 +27,9 @@ from layoutkit.documents.tree import Element
 from layoutkit.model import Layout, Violation
 
 
-def check(document: Path | str | Source, kinds: Kinds) -> list[Diagnostic]:
+def check(
+    document: Path | str | Source, kinds: Kinds, operations: OperationKinds = NO_OPERATIONS
+) -> list[Diagnostic]:
     """Return every fault of a document, in document order; an empty list if there is none.
 
     A layout without errors is also held against its facade: each rule and constraint that it breaks is an
@@ -40,11 +44,13 @@ def check(document: Path | str | Source, kinds: Kinds) -> list[Diagnostic]:
         Markdown, each document in it is checked.
     kinds
         Constraint kinds by the name of their element.
+    operations
+        Kinds of operations by the name of their element.
     """
     try:
         source = document if isinstance(document, Source) else Source.of(document)
         if is_text(source.file) and source.encoding is None:
-            return list(in_order(d for part in fragments(source) for d in check(part, kinds)))
+            return list(in_order(d for part in fragments(source) for d in check(part, kinds, operations)))
         if is_mass(source):
             return list(read_mass(source).diagnostics)
         if is_session(source):
@@ -53,6 +59,8 @@ def check(document: Path | str | Source, kinds: Kinds) -> list[Diagnostic]:
             return list(read_scene(source).diagnostics)
         if is_placement_model(source):
             return list(read_placement_model(source).diagnostics)
+        if is_operations(source):
+            return list(read_operations(source, operations, kinds).diagnostics)
         opened = open_document(source, kinds, _making)
         found = list(opened.diagnostics)
         if isinstance(opened.model, Layout) and worst(found) is not Severity.ERROR:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from layoutkit.constraints import Constraint
+from layoutkit.constraints.attributes import Attribute, AttributeType
 from layoutkit.constraints.namespace import CORE, Namespace
 from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.documents.grammar import GRID, NAMESPACE, ElementType
 from layoutkit.documents.grids import grid_attributes
 from layoutkit.documents.masses import part_fields
+from layoutkit.documents.operation_grammar import BRANCH, OPERATIONS, holdings
 from layoutkit.documents.picture import picture_fields
 from layoutkit.documents.placement_models import model_fields
 from layoutkit.documents.scene_grammar import EXAMPLE, PLACEMENT, PLACEMENT_MODEL, POLYGON
@@ -25,6 +27,7 @@ from layoutkit.model.measure import format_number
 from layoutkit.model.region import TILING_TOLERANCE
 from layoutkit.model.scene import Polygon, Scene
 from layoutkit.model.session import Session, Step
+from layoutkit.operations import Branch, Node, Operation, Operations
 
 _DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>'
 INDENT = "  "
@@ -142,17 +145,80 @@ def placement_model_bytes(model: PlacementModel) -> bytes:
     Faulty
         If a name holds a character that XML cannot (LK009).
     """
-    head = _element(PLACEMENT_MODEL, model_fields(model))
-    lines = [head.replace(PLACEMENT_MODEL.name, f'<{PLACEMENT_MODEL.name} xmlns="{NAMESPACE}"', 1) + ">"]
+    first, *rest = _model_lines(model)
+    name = PLACEMENT_MODEL.name
+    return _document([first.replace(name, f'{name} xmlns="{NAMESPACE}"', 1), *rest[:-1]], name)
+
+
+def operations_bytes(operations: Operations) -> bytes:
+    """Return an operations tree's document. The files that operations hold are named, and not written.
+
+    Raises
+    ------
+    Faulty
+        If a name holds a character that XML cannot (LK009).
+    """
+    used = [node.operation.namespace for node in operations.nodes]
+    declared = {own.prefix: own for own in reversed(used) if own != CORE}.values()
+    given = {name: getattr(operations, name) for name in OPERATIONS.attributes}
+    head = {"xmlns": NAMESPACE, **_declarations(declared), **_shown(OPERATIONS.attributes.values(), given)}
+    lines = [f"<{_joined(OPERATIONS.name, head)}>"]
+    for node in operations.roots:
+        lines += (INDENT + line for line in _node_lines(node, declared))
+    return _document(lines, OPERATIONS.name)
+
+
+def _node_lines(node: Node, declared: Collection[Namespace]) -> Iterator[str]:
+    """Yield the lines of an operation: what it holds, what goes on with all it makes, and its branches."""
+    operation = node.operation
+    own = operation.namespace
+    values = {a.name: getattr(operation, a.field_name) for a in operation.attributes()}
+    declaration = {} if own == CORE or own in declared else _declarations([own])
+    head = _joined(operation.qualified_name(), {**declaration, **_shown(operation.attributes(), values)})
+    inside = list(_held_lines(operation))
+    for child in node.children:
+        inside += _node_lines(child, declared)
+    for branch in node.branches:
+        inside += _branch_lines(branch, declared)
+    yield from _around(head, operation.qualified_name(), inside)
+
+
+def _branch_lines(branch: Branch, declared: Collection[Namespace]) -> Iterator[str]:
+    inside = [line for child in branch.children for line in _node_lines(child, declared)]
+    yield from _around(_element(BRANCH, {"weight": branch.weight}), BRANCH.name, inside)
+
+
+def _held_lines(operation: Operation) -> Iterator[str]:
+    for holding in holdings(type(operation)):
+        if (held := getattr(operation, holding.field_name)) is not None:
+            yield from _HELD[holding.element](held)
+
+
+def _around(head: str, name: str, inside: Sequence[str]) -> Iterator[str]:
+    """Yield the lines of an element with others inside, or of an empty one."""
+    if not inside:
+        yield f"<{head}/>"
+        return
+    yield f"<{head}>"
+    yield from (INDENT + line for line in inside)
+    yield f"</{name}>"
+
+
+def _model_lines(model: PlacementModel) -> Iterator[str]:
+    yield f"<{_element(PLACEMENT_MODEL, model_fields(model))}>"
     for example in model.examples:
         scene = example.scene.settled()
-        lines.append(f"{INDENT}<{_element(EXAMPLE, {'name': scene.name})}>")
+        yield f"{INDENT}<{_element(EXAMPLE, {'name': scene.name})}>"
         for placement in (example.placement, *example.beside):
-            lines.append(f"{INDENT * 2}<{_element(PLACEMENT, placement_fields(placement))}/>")
+            yield f"{INDENT * 2}<{_element(PLACEMENT, placement_fields(placement))}/>"
         for polygon in scene.polygons:
-            lines += _polygon_lines(polygon, INDENT * 2)
-        lines.append(f"{INDENT}</{EXAMPLE.name}>")
-    return _document(lines, PLACEMENT_MODEL.name)
+            yield from _polygon_lines(polygon, INDENT * 2)
+        yield f"{INDENT}</{EXAMPLE.name}>"
+    yield f"</{PLACEMENT_MODEL.name}>"
+
+
+#: Writes what operations hold, by the name of its element.
+_HELD: Mapping[str, Callable[[Any], Iterator[str]]] = {PLACEMENT_MODEL.name: _model_lines}
 
 
 def _polygon_lines(polygon: Polygon, indent: str) -> Iterator[str]:
@@ -173,13 +239,21 @@ def _step_line(step: Step) -> str:
 
 def _element(declared: ElementType, fields: Mapping[str, Any]) -> str:
     """Return what stands between < and >: attributes as they are declared, less those with their defaults."""
-    shown = {}
-    for name, value in fields.items():
-        attribute = declared.attributes[name]
-        if attribute.required or value not in (None, attribute.default):
-            number = isinstance(value, float)
-            shown[name] = format_number(value) if number else attribute.type.text(value)
-    return _joined(declared.name, shown)
+    return _joined(declared.name, _shown(declared.attributes.values(), fields))
+
+
+def _shown(attributes: Iterable[Attribute], values: Mapping[str, Any]) -> dict[str, str]:
+    """Return the texts of attributes by name, less those that are missing or have their defaults."""
+    return {
+        a.name: _text(values[a.name], a.type)
+        for a in attributes
+        if a.name in values and (a.required or values[a.name] not in (None, a.default))
+    }
+
+
+def _text(value: Any, kind: AttributeType) -> str:
+    plain = isinstance(value, float) and kind.text is str
+    return format_number(value) if plain else kind.text(value)
 
 
 def constraint_lines(

@@ -7,10 +7,11 @@ import inspect
 import re
 from typing import TYPE_CHECKING
 
-from layoutkit.diagnostics.origin import PROJECT
+from layoutkit.diagnostics.origin import PROJECT, Origin
 
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
+    from layoutkit.operations import Operation
 
 #: What a name may be: an element's name in documents, a word on the command line.
 _NAME = re.compile(r"[a-z][a-z0-9-]*")
@@ -21,36 +22,91 @@ _TAKEN = ("layoutkit", "xs", "xsi")
 def constraint_fault(item: object) -> str:
     """Say why `item` is no constraint kind; empty if it is one."""
     from layoutkit.constraints import Constraint
+    from layoutkit.constraints.namespace import CORE
 
     if not (isinstance(item, type) and issubclass(item, Constraint)):
         return f"{item!r} is no subclass of Constraint"
     if fault := _name_fault(item, "kind"):
         return fault
-    if "__dataclass_params__" not in vars(item) or not vars(item)["__dataclass_params__"].frozen:
-        return f"{item.__name__} is no frozen dataclass"
+    if fault := _frozen_fault(item):
+        return fault
     declared = {a.field_name for a in item.attributes()} | {"place", "comment"}
     if undeclared := [f.name for f in dataclasses.fields(item) if f.name not in declared]:
         return f"{item.__name__}.{undeclared[0]} is not declared with attribute()"
     if item.violations is Constraint.violations:
         return f"{item.__name__} has no violations(): nothing would check it"
+    if item.namespace == CORE and item.__module__.partition(".")[0] != PROJECT:
+        return _taken(item)
     return _namespace_fault(item)
 
 
-def _namespace_fault(kind: type[Constraint]) -> str:
+def operation_fault(item: object) -> str:
+    """Say why `item` is no kind of operation; empty if it is one."""
+    from layoutkit.documents.operation_grammar import BRANCH, HELD_ELEMENTS
+    from layoutkit.operations import Operation
+
+    if not (isinstance(item, type) and issubclass(item, Operation)):
+        return f"{item!r} is no subclass of Operation"
+    if fault := _name_fault(item, "kind") or _frozen_fault(item):
+        return fault
+    if item.kind in (BRANCH.name, *HELD_ELEMENTS):
+        return f"{item.__name__}.kind is {item.kind!r}, which is the name of another element of operations"
+    if abstract := sorted(item.__abstractmethods__):
+        return f"{item.__name__} has no {abstract[0]}()"
+    return _field_fault(item) or _namespace_fault(item)
+
+
+def _field_fault(kind: type[Operation]) -> str:
+    """Say which field of a kind of operation is not declared as documents need it; empty if each is."""
+    from layoutkit.documents.operation_grammar import HELD_ELEMENTS
+    from layoutkit.operations import Design, Steps
+    from layoutkit.operations.attributes import HELD
+
+    declared, free = {a.field_name for a in kind.attributes()} | {"place"}, set(HELD_ELEMENTS)
+    for own in dataclasses.fields(kind):
+        element, who = own.metadata.get(HELD), f"{kind.__name__}.{own.name}"
+        if element is None and own.name not in declared:
+            return f"{who} is not declared with attribute() or held()"
+        if element is not None and element not in free:
+            known = ", ".join(HELD_ELEMENTS)
+            return f"{who} is held as {element!r}: each of {known} may be held once, and nothing else"
+        if isinstance(own.default, Design | Steps):
+            return f"{who} has a file for its default: files are named in documents"
+        free.discard(element)
+    return ""
+
+
+def core_claim(kind: type[Operation], origin: Origin) -> str:
+    """Say that a kind takes layoutkit's own namespace, and comes from elsewhere; empty if not."""
+    from layoutkit.constraints.namespace import CORE
+
+    return "" if kind.namespace != CORE or origin.ours else _taken(kind)
+
+
+def _frozen_fault(item: type) -> str:
+    frozen = "__dataclass_params__" in vars(item) and vars(item)["__dataclass_params__"].frozen
+    return "" if frozen else f"{item.__name__} is no frozen dataclass"
+
+
+def _namespace_fault(kind: type[Constraint] | type[Operation]) -> str:
+    """Say what is wrong with a kind's namespace; that layoutkit's own is taken is not looked at."""
     from layoutkit.constraints.namespace import CORE, Namespace
 
     own, who = kind.namespace, f"{kind.__name__}.namespace"
     if not isinstance(own, Namespace):
         return f"{who} is {own!r}, and no Namespace"
     if own == CORE:
-        ours = kind.__module__.partition(".")[0] == PROJECT
-        return "" if ours else f"{who} is layoutkit's own: give it a namespace of your own"
+        return ""
     if not _NAME.fullmatch(own.prefix) or own.prefix.startswith("xml") or own.prefix in _TAKEN:
         taken = ", ".join(_TAKEN)
         return f"{who} has the prefix {own.prefix!r}: small letters, digits and hyphens, but not {taken}"
     if not own.uri or own.uri == CORE.uri or any(sign.isspace() for sign in own.uri):
         return f"{who} has the URI {own.uri!r}: one of your own, without blanks"
     return ""
+
+
+def _taken(kind: type) -> str:
+    return f"{kind.__name__}.namespace is layoutkit's own: give it a namespace of your own"
 
 
 def stage_fault(item: object) -> str:

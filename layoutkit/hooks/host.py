@@ -20,6 +20,7 @@ from layoutkit.hooks.lookup import Lookup
 if TYPE_CHECKING:
     from layoutkit.constraints import Constraint
     from layoutkit.hooks.specs import Format, SceneFormat, Stage
+    from layoutkit.operations import Operation
     from layoutkit.scenes.relationship import Relationship
     from layoutkit.sizing.qp import Backend
 
@@ -29,12 +30,21 @@ DISABLE = "LAYOUTKIT_DISABLE_PLUGINS"
 
 @dataclass(frozen=True, slots=True)
 class _Kind:
-    """What one hook returns: what users call it, how it is checked, and its name."""
+    """What one hook returns: what users call it, how it is checked, and its name.
+
+    Attributes
+    ----------
+    fault
+        Says what is wrong with an item, whoever gives it; empty if nothing is.
+    claim
+        Says what an item takes for itself that is not its plugin's; empty if nothing.
+    """
 
     what: str
     hook: str
     fault: Callable[[object], str]
     name: Callable[[Any], str] = attrgetter("name")
+    claim: Callable[[Any, Origin], str] = lambda item, origin: ""
 
 
 _KINDS: Mapping[str, _Kind] = {
@@ -46,6 +56,13 @@ _KINDS: Mapping[str, _Kind] = {
     "scene_formats": _Kind("format of scenes", "layoutkit_scene_formats", checks.scene_format_fault),
     "relationships": _Kind("relationship function", "layoutkit_relationships", checks.relationship_fault),
     "backends": _Kind("QP backend", "layoutkit_qp_backends", checks.backend_fault),
+    "operations": _Kind(
+        "operation",
+        "layoutkit_operations",
+        checks.operation_fault,
+        methodcaller("qualified_name"),
+        checks.core_claim,
+    ),
 }
 
 
@@ -140,6 +157,11 @@ class Host:
         """Solvers of quadratic programs, by name, in the order in which they are tried."""
         return self._lookup("backends")
 
+    @cached_property
+    def operations(self) -> Lookup[type[Operation]]:
+        """Kinds of operations by the name of their element."""
+        return self._lookup("operations")
+
     def added_by(self, plugin: str) -> Mapping[str, tuple[str, ...]]:
         """Call every hook, and return what the plugin of that name has added, by lookup."""
         for attribute in _KINDS:
@@ -192,7 +214,7 @@ class Host:
 
     def _usable(self, item: object, origin: Origin, kind: _Kind) -> bool:
         try:
-            fault = kind.fault(item)
+            fault = kind.fault(item) or kind.claim(item, origin)
         except ANYTHING as error:  # attributes of the item may do anything
             fault = described(error)
         if fault:

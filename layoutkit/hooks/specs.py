@@ -29,8 +29,10 @@ if TYPE_CHECKING:
         PlacementModel,
         ProposedEdit,
         Scene,
+        World,
     )
     from layoutkit.model.conflict import Explanation
+    from layoutkit.operations import Operation
     from layoutkit.scenes.relationship import Relationship
     from layoutkit.sizing.qp import Backend
 
@@ -54,7 +56,7 @@ class Outcome:
     status
         ``found``; ``infeasible``, which is proved; or ``limit``: the budget ran out.
     document
-        The new facade, layout, scene or fitted model; None where there is none.
+        The new facade, layout, scene, fitted model or world; None where there is none.
     seconds
         Time spent on this one (search and sizing; no reading, writing or pictures).
     explanation
@@ -71,7 +73,7 @@ class Outcome:
     """
 
     status: Status
-    document: Facade | Layout | Scene | PlacementModel | None
+    document: Facade | Layout | Scene | PlacementModel | World | None
     diagnostics: tuple[Diagnostic, ...] = ()
     seconds: float = 0.0
     explanation: Explanation | None = None
@@ -209,3 +211,7 @@ class Hooks:
     @hookspec
     def layoutkit_relationships(self) -> Iterable[Relationship]:  # type: ignore[empty-body]  # a specification
         """Return functions that relate points and poses to what stands in a scene."""
+
+    @hookspec
+    def layoutkit_operations(self) -> Iterable[type[Operation]]:  # type: ignore[empty-body]  # a specification
+        """Return kinds of operations: subclasses of `layoutkit.operations.Operation`."""

@@ -33,11 +33,14 @@ class Context:
         What all chance of the operation begins with: the seed, then the scene, the site and the node.
     told
         What is reported, in order.
+    kept
+        What was worked out once for all elements and sites, by keys that say what it hangs on.
     """
 
     stages: Stages
     entropy: tuple[int, ...]
     told: list[Diagnostic] = field(default_factory=list)
+    kept: dict[Any, Any] = field(default_factory=dict)
 
     def random(self, *which: int) -> Generator:
         """Return the chance of one of the things that an operation works on: it hangs on no other."""

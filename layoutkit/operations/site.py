@@ -9,8 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import count
 from typing import TYPE_CHECKING
 
+from layoutkit.model.box import Box
 from layoutkit.model.facade import Units
 from layoutkit.model.face import Point
 from layoutkit.model.layout import Layout
@@ -80,12 +82,15 @@ class Dressing:
         What it is a variation of.
     x, y
         Where its lower left corner is on the surface.
+    pictured
+        Which part of the design each terminal shows, by its path; None: as variations do.
     """
 
     layout: Layout
     design: Design
     x: float
     y: float
+    pictured: Mapping[str, Box] | None = field(default=None, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,12 +229,13 @@ class Site:
         """Return the elements on a surface."""
         return tuple(e for e in self.elements.values() if e.surface == surface)
 
-    def free_name(self, parent: str, stem: str) -> str:
-        """Return a name for something new: its parent's, then a stem with the lowest number that is free."""
-        number, begin = 1, f"{parent}." if parent else ""
-        while (name := f"{begin}{stem}_{number}") in self.elements or name in self.surfaces:
-            number += 1
-        return name
+    def free_names(self, parent: str, stem: str) -> Iterator[str]:
+        """Yield names for what is new: the parent's, then a stem with numbers that are free, in order."""
+        begin = f"{parent}." if parent else ""
+        for number in count(1):
+            name = f"{begin}{stem}_{number}"
+            if name not in self.elements and name not in self.surfaces:
+                yield name
 
     def scene(self, surface: str) -> Scene:
         """Return a surface as a scene: its outlines, the regions of its facade, and the elements on it.

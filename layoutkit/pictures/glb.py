@@ -88,9 +88,9 @@ def render_glb(document: Facade | Layout, photo: Photo | None = None) -> bytes:
     one_sided = bool(parts) and all(part.closed for part in parts)
     for wall in walls(document, photo):
         for (name, colour), surface in _surfaces(wall).items():
-            look = {"baseColorFactor": _linear(colour)} if colour else {"baseColorTexture": _image(photo)}
+            look = {"baseColorFactor": linear(colour)} if colour else {"baseColorTexture": _image(photo)}
             _add(scene, f"{wall.face.name} {name}", surface, _material(name, look, one_sided))
-    roof = _material(ROOF, {"baseColorFactor": _linear(PALETTE["roof"])}, one_sided)
+    roof = _material(ROOF, {"baseColorFactor": linear(PALETTE["roof"])}, one_sided)
     for part in parts:
         if part.closed:
             _add(scene, f"{part.faces[0].name} {ROOF}", _caps(part), roof)
@@ -98,8 +98,16 @@ def render_glb(document: Facade | Layout, photo: Photo | None = None) -> bytes:
     return written
 
 
-def walls(document: Facade | Layout, photo: Photo | None = None) -> Iterator[Wall]:
-    """Yield the walls of a document: its faces with what is on them, or the one wall that it is."""
+def walls(
+    document: Facade | Layout, photo: Photo | None = None, pictured: Mapping[str, Box] | None = None
+) -> Iterator[Wall]:
+    """Yield the walls of a document: its faces with what is on them, or the one wall that it is.
+
+    Parameters
+    ----------
+    pictured
+        Which part of the photo's facade each terminal shows, by its path; None: as variations do.
+    """
     root = document.root
     whole = PlacedRegion(root.symbol, root.symbol, root, Box(0.0, 0.0, root.width, root.height))
     mass = _mass(document)
@@ -107,7 +115,8 @@ def walls(document: Facade | Layout, photo: Photo | None = None) -> Iterator[Wal
         standing = [(Face(root.symbol, ((0.0, 0.0), (root.width, 0.0)), 0.0, root.height), whole)]
     else:
         standing = list(zip(mass.faces, place_children(whole), strict=True))
-    pictured = {p.path: s.box for p, s in sources(root, photo.facade)} if photo else {}
+    if pictured is None:
+        pictured = {p.path: s.box for p, s in sources(root, photo.facade)} if photo else {}
     finishes = _finishes(root)
     terminals: defaultdict[str, list[PlacedRegion]] = defaultdict(list)
     for placed in place(root):
@@ -232,7 +241,7 @@ def _image(photo: Photo | None) -> Image:
     return photo.image
 
 
-def _linear(colour: Colour) -> list[float]:
+def linear(colour: Colour) -> list[float]:
     """Return a colour as glTF counts it: in proportion to light (IEC 61966-2-1), and opaque."""
     shares = (part / 255 for part in colour)
     return [*(((s + 0.055) / 1.055) ** 2.4 if s > 0.04045 else s / 12.92 for s in shares), 1.0]

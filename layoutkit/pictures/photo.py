@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -58,6 +59,26 @@ class Photo:
         if facade.picture is None:
             raise _faulty(f"the facade {facade.name!r} names no picture", "add a picture element", None)
         return cls(facade, _opened(folder / facade.picture.file))
+
+    @classmethod
+    def decoded(cls, facade: Facade, data: bytes | None, file: Path) -> Photo:
+        """Read the picture that the facade names where its bytes are at hand, and its file is elsewhere.
+
+        Parameters
+        ----------
+        data
+            None where it is not there.
+        file
+            What diagnostics name.
+
+        Raises
+        ------
+        Faulty
+            If it cannot be read (LK010).
+        """
+        if data is None:
+            raise _missing(file)
+        return cls(facade, _opened(file, io.BytesIO(data)))
 
     def texture(self, pieces: tuple[Piece, ...], region: Region, size: tuple[int, int]) -> Image:
         """Return the picture of a terminal.
@@ -121,17 +142,16 @@ def part_shown(picture: Picture, folder: Path) -> Image:
     return image.convert("RGB").crop(_part(picture, image))
 
 
-def _opened(file: Path) -> Image:
-    """Read a picture."""
+def _opened(file: Path, data: io.BytesIO | None = None) -> Image:
+    """Read a picture; from its bytes, if these are at hand."""
     from PIL import Image, UnidentifiedImageError
 
     try:
-        with Image.open(file) as image:
+        with Image.open(data or file) as image:
             image.load()
             return image
     except FileNotFoundError:
-        hint = "put the picture there, or correct the file attribute of the picture element"
-        raise _faulty("the picture is not there", hint, file) from None
+        raise _missing(file) from None
     except UnidentifiedImageError:
         raise _faulty("this is no picture of a known format", "use PNG or JPEG", file) from None
     except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
@@ -188,6 +208,11 @@ def _repeated(texture: Image, copies: tuple[int, int]) -> Image:
         for row in range(copies[1]):
             whole.paste(turned if column % 2 else texture, (column * width, row * height))
     return whole
+
+
+def _missing(file: Path) -> Faulty:
+    hint = "put the picture there, or correct the file attribute of the picture element"
+    return _faulty("the picture is not there", hint, file)
 
 
 def _faulty(message: str, hint: str, file: Path | None) -> Faulty:

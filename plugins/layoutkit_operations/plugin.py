@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from layoutkit.hooks.specs import hookimpl
+from layoutkit.hooks.specs import Stage, hookimpl
 from layoutkit.operations import Operation
 
 
@@ -14,3 +14,11 @@ def layoutkit_operations() -> Iterable[type[Operation]]:
     from layoutkit_operations.kinds import BUILT_IN
 
     return BUILT_IN
+
+
+@hookimpl
+def layoutkit_stages() -> Iterable[Stage]:
+    """Return the stages."""
+    from layoutkit_operations.stage import ReplayOperations
+
+    return (ReplayOperations(),)

@@ -233,7 +233,7 @@ def test_plugins_names_what_failed(install: Any, layoutkit: Any) -> None:
     install("broken", "1 / 0")
     run = layoutkit("plugins", "--json")
     assert run.code == 5
-    names = ["builtin", "editing", "formats", "placement", "relayout"]
+    names = ["builtin", "editing", "formats", "operations", "placement", "relayout"]
     assert [plugin["name"] for plugin in run.data["plugins"]] == names
     assert [d["code"] for d in run.data["diagnostics"]] == ["LK401"]
     assert "ZeroDivisionError" in run.err

@@ -18,7 +18,8 @@ from layoutkit.constraints.attributes import AttributeType
 from layoutkit.constraints.claims import Claim, Relates
 from layoutkit.constraints.word_rules import WordRule
 from layoutkit.hooks import Format, Hooks, Outcome, SceneFormat, Stage
-from layoutkit.hooks.checks import constraint_fault
+from layoutkit.hooks.checks import constraint_fault, operation_fault
+from layoutkit.operations import Operation
 from layoutkit.scenes.relationship import Relationship
 from layoutkit.sizing.qp import Backend
 from layoutkit.sizing.rules import SizeRule
@@ -56,7 +57,7 @@ def test_every_hook_is_documented() -> None:
     assert rows(section("Hooks")).keys() == hooks
 
 
-OFFERS = (Constraint, Stage, Format, SceneFormat, Relationship, Backend)
+OFFERS = (Constraint, Stage, Format, SceneFormat, Relationship, Backend, Operation)
 
 
 @pytest.mark.parametrize("cls", OFFERS)
@@ -84,6 +85,8 @@ def test_parameters_are_the_methods_own() -> None:
 def test_what_is_required_is_told() -> None:
     assert "`kind`, `namespace`, `summary` and `violations` are required" in section("Constraint")
     assert constraint_fault(Constraint) != ""
+    assert "`kind`, `namespace`, `summary` and `apply` are required" in section("Operation")
+    assert operation_fault(Operation) != ""
 
 
 def test_every_field_of_an_attributes_type_is_documented() -> None:
@@ -150,6 +153,7 @@ def test_every_environment_variable_is_documented() -> None:
         ("plugin-qp-backends.md", Backend),
         ("plugin-scene-formats.md", SceneFormat),
         ("plugin-relationships.md", Relationship),
+        ("plugin-operations.md", Operation),
     ],
 )
 def test_the_page_of_a_plugin_kind_names_all_that_it_offers(page: str, cls: type) -> None:

@@ -31,7 +31,7 @@ def generator() -> ModuleType:
     return module
 
 
-@pytest.mark.parametrize("name", ["constraints.md", "codes.md", "commands.md"])
+@pytest.mark.parametrize("name", ["constraints.md", "operations.md", "codes.md", "commands.md"])
 def test_generated_pages_are_up_to_date(name: str) -> None:
     written = (ROOT / "docs" / "reference" / name).read_text(encoding="utf-8")
     assert written == generator().PAGES[name](), "run `python docs/generate.py`"

@@ -2,8 +2,8 @@
 
 One file a group: LK0 files and safety, LK1 structure, LK2 references and constraints, LK24 grids, LK3
 conversion, LK4 plugins, LK5 layouts against facades, LK6 search, LK65 editing, LK7 usage, LK8 masses and
-buildings, LK85 and LK86 scenes and placement, LK9 our own faults. A code keeps its meaning for good; retired
-ones are not given out again. Examples stand in `examples`.
+buildings, LK85 to LK87 scenes and placement, LK88 operations, LK89 batches, LK9 our own faults. A code keeps
+its meaning for good; retired ones are not given out again. Examples stand in `examples`.
 """
 
 from __future__ import annotations
@@ -12,12 +12,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from layoutkit.diagnostics.codes import (
+    batch,
     buildings,
     conversion,
     editing,
     files,
     grids,
     layouts,
+    operations,
     ours,
     placement,
     plugins,
@@ -46,6 +48,8 @@ _GROUPS = (
     buildings,
     scenes,
     placement,
+    operations,
+    batch,
     ours,
 )
 

@@ -8,8 +8,8 @@ CODES = (
     Code(
         "LK101",
         "not a document of layoutkit",
-        "The root element is none of facade, layout, mass and session, is not the one that is wanted, or is "
-        "not in the namespace urn:layoutkit:1.",
+        "The root element is none of facade, layout, mass, session, scene, placement-model and operations, "
+        "is not the one that is wanted, or is not in the namespace urn:layoutkit:1.",
         "A document of another format, or a forgotten xmlns.",
         'Write xmlns="urn:layoutkit:1" on the root; `layoutkit convert` reads other formats.',
     ),
@@ -92,8 +92,8 @@ CODES = (
     ),
     Code(
         "LK113",
-        "constraint of an unknown namespace",
-        "No plugin that is loaded has constraints of the element's namespace.",
+        "constraint or operation of an unknown namespace",
+        "No plugin that is loaded has constraints or operations of the element's namespace.",
         "A plugin that is not installed, is disabled, or could not be loaded; or a misspelt namespace.",
         "Install or enable the plugin, or correct the namespace; `layoutkit plugins` lists what is loaded.",
     ),

@@ -27,8 +27,10 @@ from layoutkit.documents.grammar import (
     SESSION,
     ElementType,
 )
-from layoutkit.documents.kinds import Kinds, declared
+from layoutkit.documents.kind_elements import declared
+from layoutkit.documents.kinds import Kinds
 from layoutkit.documents.mending.manuscript import Written
+from layoutkit.documents.operation_grammar import OPERATIONS
 from layoutkit.documents.scene_grammar import (
     CORNER,
     EDGE,
@@ -39,7 +41,9 @@ from layoutkit.documents.scene_grammar import (
     SCENE,
 )
 
-ROOTS = {element.name: element for element in (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL)}
+ROOTS = {
+    element.name: element for element in (FACADE, LAYOUT, MASS, SESSION, SCENE, PLACEMENT_MODEL, OPERATIONS)
+}
 #: Declarations hold dictionaries, and so cannot be keys.
 _CHILDREN = (
     (FACADE, (PICTURE, ROOT_REGION, CONSTRAINTS, GRIDS)),

@@ -1,8 +1,8 @@
 """Triangles to pixels: which triangle is nearest at the centre of each pixel.
 
-Everything is done row by row of pixels, for many triangles at once: first the rows that each triangle reaches,
-with the span of pixels that it covers there, then the pixels of the spans. So the work grows with the pixels that
-are covered, not with bounding boxes, and a large triangle is no different from many small ones.
+Everything is done row by row of pixels, for many triangles at once: first the rows that each triangle
+reaches, with the span of pixels that it covers there, then the pixels of the spans. So the work grows with
+the pixels that are covered, not with bounding boxes, and a large triangle is no other than many small ones.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-#: So many rows, or pixels, are worked on at once; what they take in memory is some ten times as many numbers.
+#: So many rows, or pixels, are worked on at once; they take some ten times as many numbers in memory.
 BATCH = 1 << 19
-#: Triangles reach so much farther, in pixels: no crack shows where a corner of one lies on an edge of another.
+#: Triangles reach so much farther, in pixels: no crack shows where the corner of one is on another's edge.
 REACH = 1e-4
 #: Steps of depth in a pixel. What is less than a step apart is as near: the triangle listed first is seen.
 STEPS = 4096
@@ -68,16 +68,20 @@ class _Spans:
 
     def part(self, chosen: slice | NDArray[np.bool_]) -> _Spans:
         """Return some of them."""
-        arrays = self.triangle, self.first, self.count, self.depth, self.slope
-        return _Spans(*(array[chosen] for array in arrays))
+        return _Spans(
+            self.triangle[chosen],
+            self.first[chosen],
+            self.count[chosen],
+            self.depth[chosen],
+            self.slope[chosen],
+        )
 
 
 def rasterise(corners: Floats, depths: Floats, size: tuple[int, int]) -> Raster:
     """Find the nearest triangle in each pixel.
 
-    A pixel is of a triangle if its centre is inside; on common edges there are no cracks. Triangles may be
-    listed in either direction, and may reach beyond the picture. Of triangles equally deep the one listed first
-    is seen.
+    A pixel is of a triangle if its centre is inside; on common edges there are no cracks. Triangles may run
+    in either direction, and may reach beyond the picture. Of those equally deep the one listed first is seen.
 
     Parameters
     ----------
@@ -90,16 +94,16 @@ def rasterise(corners: Floats, depths: Floats, size: tuple[int, int]) -> Raster:
 
     Notes
     -----
-    Depth and number of a triangle are one integer, depth first, so that the least one decides both. Depths are
-    kept in steps of 1/4096 pixel, and in larger ones only if they are more than 2 ** 18 pixels apart.
+    Depth and number of a triangle are one integer, depth first, so that the least one decides both. Depths
+    are kept in steps of 1/4096 pixel, and in larger ones only if they are more than 2 ** 18 pixels apart.
     """
     columns, rows = size
     keys = np.full(rows * columns, _NOTHING, dtype=np.int64)
     base = float(depths.min()) if depths.size else 0.0
     steps = min(float(STEPS), _DEEPEST / max(float(depths.max()) - base, 1.0)) if depths.size else 1.0
     for spans in _spans(corners, (depths - base) * steps, size):
-        for part in _batches(spans, spans.count):
-            _draw(keys, part)
+        for begin, end in _cuts(spans.count):
+            _draw(keys, spans.part(slice(begin, end)))
     seen = keys != _NOTHING
     triangle = np.where(seen, keys & ((1 << _INDEX_BITS) - 1), -1)
     depth = np.where(seen, (keys >> _INDEX_BITS) / steps + base, np.inf)
@@ -121,11 +125,11 @@ def _draw(keys: Integers, spans: _Spans) -> None:
 def _spans(corners: Floats, depths: Floats, size: tuple[int, int]) -> Iterator[_Spans]:
     """Yield the spans of triangles, some at a time."""
     order = np.argsort(corners[:, :, 1], axis=1, kind="stable")
-    points = np.take_along_axis(np.concatenate([corners, depths[:, :, None]], axis=2), order[:, :, None], axis=1)
+    points = np.concatenate([corners, depths[:, :, None]], axis=2)
+    points = np.take_along_axis(points, order[:, :, None], axis=1)
     top = np.maximum(_first(points[:, 0, 1] - REACH), 0)
     count = np.maximum(np.minimum(_first(points[:, 2, 1] + REACH), size[1]) - top, 0)
     there = np.flatnonzero(count)
-    # Numbers of triangles and their rows; of a triangle of more rows than a batch there are none.
     for begin, end in _cuts(count[there]):
         some = there[begin:end]
         owner, step = _expanded(count[some])
@@ -135,7 +139,7 @@ def _spans(corners: Floats, depths: Floats, size: tuple[int, int]) -> Iterator[_
 def _in_rows(points: Floats, triangle: Integers, row: Integers, columns: int) -> _Spans:
     """Return the spans of triangles in rows that they reach: between the long edge and one of the others."""
     above, middle, below = (points[triangle, n] for n in range(3))
-    height = row + 0.5
+    height = row.astype(np.float64) + 0.5
     upper = height < middle[:, 1]
     start, end = np.where(upper[:, None], above, middle), np.where(upper[:, None], middle, below)
     one, other = _crossing(above, below, height), _crossing(start, end, height)
@@ -181,8 +185,3 @@ def _cuts(count: Integers) -> Iterator[tuple[int, int]]:
         end = max(begin + 1, int(np.searchsorted(total, done + BATCH, side="right")))
         yield begin, end
         begin = end
-
-
-def _batches(spans: _Spans, count: Integers) -> Iterator[_Spans]:
-    for begin, end in _cuts(count):
-        yield spans.part(slice(begin, end))

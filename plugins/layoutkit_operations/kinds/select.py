@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
@@ -55,14 +56,17 @@ class Select(Operation):
 
 def reached(scope: Scope, site: Site) -> tuple[str, ...]:
     """Return the names in a scope, and of all that came to be with it or stands on it, each once."""
+    below: defaultdict[str, list[str]] = defaultdict(list)
+    for surface in site.surfaces.values():
+        below[surface.element].append(surface.name)
+    for element in site.elements.values():
+        for name in dict.fromkeys((element.parent, element.surface)):
+            below[name].append(element.name)
     found: dict[str, None] = {}
     pending = list(reversed(scope))
     while pending:
         name = pending.pop()
-        if name in found:
-            continue
-        found[name] = None
-        surfaces = [s.name for s in site.surfaces.values() if s.element == name]
-        standing = [e.name for e in site.elements.values() if name in (e.parent, e.surface)]
-        pending += reversed([*surfaces, *standing])
+        if name not in found:
+            found[name] = None
+            pending += reversed(below[name])
     return tuple(name for name in found if name in site.elements or name in site.surfaces)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -26,12 +27,19 @@ def model_of(fitted: Fitted, name: str) -> PlacementModel:
 def fitted_of(model: PlacementModel, known: Sequence[Relationship] = BUILT_IN) -> Fitted:
     """Return what was learned, from what a document holds of it: the examples are learned again.
 
+    The latest ones are kept, as one model is commonly asked of many scenes.
+
     Raises
     ------
     Faulty
         If its settings make no sense (LK872).
     """
-    return Learner(model.settings, tuple(known)).fit(model.examples)
+    return _fitted(model, tuple(known))
+
+
+@lru_cache(maxsize=16)
+def _fitted(model: PlacementModel, known: tuple[Relationship, ...]) -> Fitted:
+    return Learner(model.settings, known).fit(model.examples)
 
 
 def _trimmed(fitted: Fitted, number: int) -> Example:

@@ -64,12 +64,12 @@ class Place(Stage):
             If there is no model, it names functions that are not known, or an option makes no sense (LK872).
         """
         from layoutkit.scenes.soundness import examined
+        from layoutkit.scenes.spacing import fill
+        from layoutkit.scenes.spacing import remarks as too_large
         from layoutkit.sizing.threads import single_threaded
         from layoutkit_placement.functions import BUILT_IN
         from layoutkit_placement.learning.evidence import evidence
         from layoutkit_placement.learning.models import fitted_of
-        from layoutkit_placement.learning.spacing import fill
-        from layoutkit_placement.learning.spacing import remarks as too_large
 
         model = _check(options)
         start = time.perf_counter()
@@ -91,8 +91,8 @@ class Place(Stage):
 
 def _check(options: PlaceOptions) -> PlacementModel:
     """Return the model, or raise `Faulty` where options make no sense."""
+    from layoutkit.scenes.spacing import check
     from layoutkit_placement.learning.settings import fault
-    from layoutkit_placement.learning.spacing import check
 
     if options.model is None:
         raise Faulty([fault("there is no model to place shapes by", "learn one from examples")])

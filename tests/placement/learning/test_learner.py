@@ -15,7 +15,7 @@ from layoutkit.model.scene import Placement, Polygon, Scene
 from layoutkit_placement.learning import Fitted, Learner, examples_of
 from layoutkit_placement.learning.limits import OVERLAP, inside
 from layoutkit_placement.learning.models import fitted_of, model_of
-from layoutkit_placement.learning.spacing import filled
+from layoutkit.scenes.spacing import filled
 
 Rectangle = tuple[float, float, float, float]
 

@@ -14,7 +14,7 @@ from placement.learning.test_learning_degenerate import model
 from layoutkit.diagnostics import Faulty, Severity
 from layoutkit.model.learning import Spacing
 from layoutkit.model.scene import Placement, Scene
-from layoutkit_placement.learning.spacing import MOST, check, fill, remarks
+from layoutkit.scenes.spacing import MOST, check, fill, remarks
 from layoutkit_placement.stages.place import Place, PlaceOptions
 
 SHELF = Placement(1, 2, 3, 0.5, 30, "Shelf", 0.9)

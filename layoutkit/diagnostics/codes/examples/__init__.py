@@ -8,12 +8,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from layoutkit.diagnostics.codes.examples import (
+    batch,
     buildings,
     conversion,
     editing,
     files,
     grids,
     layouts,
+    operations,
     placement,
     plugins,
     references,
@@ -42,6 +44,8 @@ _GROUPS = (
     buildings,
     scenes,
     placement,
+    operations,
+    batch,
 )
 
 #: Every example, by code.
@@ -55,6 +59,12 @@ UNSHOWN: Mapping[str, str] = {
     "LK009": "no page can show a character that XML cannot hold",
     "LK605": "a facade whose arrangements cannot be counted does not fit a page",
     "LK876": "it takes an area that is very large for its shapes, and some time",
+    "LK889": "it is told to programs that record operations, and not by a command",
+    "LK891": "it takes two commands at the same time",
+    "LK892": "it takes a process that is killed",
+    "LK894": "it takes a second machine",
+    "LK895": "it takes a system that starts no processes",
+    "LK896": "it takes a file that is changed while a command reads it",
     "LK901": "it is a fault of layoutkit: if an example were known, it would be mended",
     "LK902": "it is a fault of layoutkit: if an example were known, it would be mended",
 }

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.model.learning import Spacing
 from layoutkit.model.scene import Placement
-from layoutkit_placement.learning.settings import fault
 
 #: Placements are filled with at most so many shapes altogether.
 MOST = 10_000
@@ -66,12 +65,12 @@ def check(spacing: Spacing) -> None:
     """Raise `Faulty` unless a spacing makes sense (LK872)."""
     for row in _rows(spacing):
         if row.size is not None and not (row.size > 0 and math.isfinite(row.size)):
-            raise Faulty([fault(f"{row.size_name} is {row.size:g}", "give shapes a size above 0")])
+            raise Faulty([_fault(f"{row.size_name} is {row.size:g}", "give shapes a size above 0")])
         if row.gap < 0 or not math.isfinite(row.gap):
-            raise Faulty([fault(f"{row.gap_name} is {row.gap:g}", "a gap is 0 or more")])
+            raise Faulty([_fault(f"{row.gap_name} is {row.gap:g}", "a gap is 0 or more")])
         if row.gap and row.size is None:
             message = f"{row.gap_name} is of no use without {row.size_name}: nothing is filled"
-            raise Faulty([fault(message, f"add --{row.size_name}, or leave --{row.gap_name} away")])
+            raise Faulty([_fault(message, f"add --{row.size_name}, or leave --{row.gap_name} away")])
 
 
 def fill(placements: Sequence[Placement], spacing: Spacing) -> tuple[Placement, ...]:
@@ -90,7 +89,7 @@ def fill(placements: Sequence[Placement], spacing: Spacing) -> tuple[Placement, 
         width, height = (max(getattr(p, side) for p in placements) for side in ("width", "height"))
         sizes = " ".join(filter(None, (across.enough(width, most), up.enough(height, most))))
         message = f"placements would be filled with {count:,.0f} shapes, and {MOST:,} is the most"
-        raise Faulty([fault(message, f"fewer would fill them with {sizes}" if sizes else "lower the limit")])
+        raise Faulty([_fault(message, f"fewer would fill them with {sizes}" if sizes else "lower the limit")])
     return tuple(shape for whole in placements for shape in filled(whole, spacing))
 
 
@@ -127,3 +126,7 @@ def _rows(spacing: Spacing) -> tuple[_Row, _Row]:
         _Row("width", "each-width", "gap-across", spacing.each_width, spacing.gap_across),
         _Row("height", "each-height", "gap-up", spacing.each_height, spacing.gap_up),
     )
+
+
+def _fault(message: str, hint: str) -> Diagnostic:
+    return Diagnostic("LK872", message, hint=hint, topic=_TOPIC)

@@ -1,0 +1,3 @@
+"""Being written."""
+def operations(): raise NotImplementedError
+def scenes(): return ()

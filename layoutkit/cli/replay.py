@@ -1,0 +1,184 @@
+"""``layoutkit replay``: a recorded session of modelling, made again on other scenes."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from layoutkit.cli.batch import names_of
+from layoutkit.cli.batching import (
+    FIRST_SEED,
+    Afresh,
+    Scheduler,
+    SeedList,
+    Seeds,
+    Workers,
+    carried_out,
+    runner_of,
+)
+from layoutkit.cli.options import Json, finite
+from layoutkit.cli.remote import options_of
+from layoutkit.cli.replayed import OPERATIONS, SCENE, replay_tile, side_of
+from layoutkit.cli.scene_files import Part
+from layoutkit.cli.scenes import read_scene
+from layoutkit.cli.session import Session
+from layoutkit.model import Scene
+
+if TYPE_CHECKING:
+    from layoutkit.batch import Plan, Task
+    from layoutkit.documents.operations import OperationsDocument
+
+EXAMPLES = """
+Examples:
+
+- `layoutkit replay houses/operations.xml houses/scene.xml -o out`
+
+- `layoutkit replay houses/operations.xml city.gpkg --part plots --workers 2 -o out`
+
+- `layoutkit replay flat/operations.xml flat/*.xml --seeds 0-9 --elevation 60 --format obj -o out`
+"""
+
+#: What is drawn of each model, unless something else is asked for.
+_SIDES = ("south-west", "north-east")
+
+
+class Format(enum.StrEnum):
+    """What models are written as."""
+
+    glb = "glb"
+    obj = "obj"
+    cityjson = "cityjson"
+
+
+def replay(
+    context: typer.Context,
+    operations_file: Annotated[
+        Path, typer.Argument(metavar="OPERATIONS", help="The operations document (XML).")
+    ],
+    scene_files: Annotated[
+        list[Path],
+        typer.Argument(metavar="SCENE...", help="The scenes to model in; any kind of file."),
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="The folder for results.")],
+    part: Part = None,
+    seeds: SeedList = FIRST_SEED,
+    formats: Annotated[
+        list[Format] | None,
+        typer.Option(
+            "--format",
+            show_default="glb",
+            help="What models are written as; may be given several times.",
+        ),
+    ] = None,
+    views: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--view",
+            metavar="SIDE",
+            show_default=", ".join(_SIDES),
+            help="Where a picture is seen from: south-west, east, or degrees from north over east; may be "
+            "given several times.",
+        ),
+    ] = None,
+    drawn: Annotated[bool, typer.Option("--views/--no-views", help="Whether pictures are drawn.")] = True,
+    elevation: Annotated[
+        float,
+        typer.Option(
+            min=1, max=90, callback=finite, help="How steeply pictures are seen from above, in degrees."
+        ),
+    ] = 33.0,
+    width: Annotated[int, typer.Option(min=64, max=10_000, help="Width of pictures, in pixels.")] = 1200,
+    tile: Annotated[
+        int, typer.Option(min=1, help="How many sites go into one model, and one piece of work, at most.")
+    ] = 50,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
+    afresh: Afresh = False,
+    as_json: Json = False,
+) -> int:
+    """Make the operations of a recorded session again on other scenes, in three dimensions.
+
+    Every scene becomes a model, and pictures of it from two sides, for every seed. Where the operations say
+    which polygons are sites of their own, large scenes are divided into tiles of near sites, each with a
+    model of its own. DIR/manifest.json lists all. The bytes are the same whoever does the work: this process,
+    several, or a cluster.
+
+    The same command goes on where it was interrupted. A tile that fails is listed, and does not stop others.
+    """
+    session = Session.of(context)
+    runner = runner_of(session, workers, scheduler)
+    options = {
+        "formats": [str(name) for name in dict.fromkeys(formats or [Format("glb")])],
+        "views": _sides(views) if drawn else [],
+        "elevation": elevation,
+        "width": width,
+        "tile": tile,
+        "session": options_of(session),
+        "operations": operations_file.name,
+    }
+    document = _read(session, operations_file)
+    files = list(dict.fromkeys(scene_files))
+    scenes = {
+        name: read_scene(session, file, part) for name, file in zip(names_of(files), files, strict=True)
+    }
+    plan = _plan(document, scenes, seeds, options, session)
+    return carried_out(session, plan, output, runner, afresh=afresh, as_json=as_json, what="models")
+
+
+def _read(session: Session, file: Path) -> OperationsDocument:
+    """Read the operations, and load what they will need, so that what fails is told once, and here."""
+    from layoutkit.documents.operations import read_operations
+
+    session.host.stages.find("replay")
+    document = read_operations(file, session.host.operations, session.host.constraints)
+    session.report(document.diagnostics)
+    return document
+
+
+def _sides(views: Sequence[str] | None) -> list[str]:
+    """Return the sides to draw; raise `Faulty` where one is none."""
+    from layoutkit.pictures.worlds.camera import bearing_of
+
+    sides = list(dict.fromkeys(views or _SIDES))
+    for side in sides:
+        bearing_of(side_of(side))
+    return sides
+
+
+def _plan(
+    document: OperationsDocument,
+    scenes: Mapping[str, Scene],
+    seeds: Seeds,
+    options: Mapping[str, Any],
+    session: Session,
+) -> Plan:
+    from layoutkit.batch import Plan
+
+    tasks = [task for name, scene in scenes.items() for task in _tasks(document, name, scene, seeds, options)]
+    plugins = {n: f"{o.package} {o.version}" for n, o in session.host.origins.items() if not o.ours}
+    told = {"scenes": list(scenes), "seeds": list(seeds.numbers), **options, "plugins": plugins}
+    return Plan("replay", tasks, told)
+
+
+def _tasks(
+    document: OperationsDocument, name: str, scene: Scene, seeds: Seeds, options: Mapping[str, Any]
+) -> Iterator[Task]:
+    """Yield the tasks of a scene: one for each seed and tile."""
+    from layoutkit.batch import Shared, Task
+    from layoutkit.cli.tiles import tiles_of
+    from layoutkit.documents import scene_bytes
+    from layoutkit.operations.sites import sites_of
+
+    plain = Scene(scene.name, scene.units, scene.settled().polygons)
+    files = {f"{OPERATIONS}{own}": data for own, data in document.files.items()}
+    shared = Shared({SCENE: scene_bytes(plain), **files}, options)
+    count = len(tiles_of(plain, sites_of(plain, document.operations.sites), options["tile"]))
+    for seed in seeds.numbers:
+        for number in range(count):
+            stem = name if len(seeds.numbers) == 1 else f"{name}-s{seed}"
+            stem += f"-{number + 1:0{len(str(count))}d}" if count > 1 else ""
+            yield Task(stem, replay_tile, {"tile": number, "seed": seed, "stem": stem}, shared)

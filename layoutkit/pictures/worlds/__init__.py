@@ -1,0 +1,1 @@
+"""Worlds as models for other programs: binary glTF and OBJ."""

@@ -1,0 +1,1 @@
+"""Finishing: sites become worlds, and the facades on surfaces become part of their solids' meshes."""

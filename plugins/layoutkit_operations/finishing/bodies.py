@@ -1,0 +1,192 @@
+"""Bodies: solids as they are shown, each facade part of the mesh, which stays closed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from layoutkit.model import Body, BodySurface, Box, Opening, Skin
+from layoutkit.model.face import Point
+from layoutkit.model.outline import area
+from layoutkit.operations import Element, Site, Solid, Surface
+from layoutkit.pictures.palette import PLAIN, colour_of_labels
+from layoutkit_operations.finishing.conforming import Key, on_edges, snapped, with_points
+from layoutkit_operations.finishing.dressing import OPENINGS, Photos, dressed, openings_of
+from layoutkit_operations.finishing.inlays import Inlay, inlays_of
+from layoutkit_operations.finishing.pieces import NONE, Piece, joined, outline_of, relief_of
+from layoutkit_operations.finishing.strips import Strip, strips_of
+from layoutkit_operations.solids.frames import Array, flattened
+from layoutkit_operations.solids.polyhedra import ears, merged
+
+#: Points nearer than this share of a solid's size are one.
+_NEAR = 1e-7
+
+
+def body_of(solid: Solid, site: Site, photos: Photos) -> Body:
+    """Return a solid with the facades on its surfaces, in the world's coordinates."""
+    return _Building(solid, site, photos).body()
+
+
+class _Building:
+    """The building of one body.
+
+    Parameters
+    ----------
+    solid
+        What is built.
+    site
+        Where its surfaces and elements are.
+    photos
+        Pictures of designs.
+    """
+
+    def __init__(self, solid: Solid, site: Site, photos: Photos) -> None:
+        self._solid, self._site, self._photos = solid, site, photos
+        self._surfaces = [site.surfaces[name] for name in solid.surfaces]
+        self._near = _NEAR * float(np.ptp(solid.points, axis=0).max())
+        self._skins: dict[Skin, int] = {}
+        self._openings: list[Opening] = []
+
+    def body(self) -> Body:
+        parts = [dressed(n, s, self._photos) for n, s in enumerate(self._surfaces) if s.dressing is not None]
+        strips = strips_of(parts, self._near)
+        boxes = {part.number: part.box for part in parts}
+        inlays = {n: self._inlays(n, boxes.get(n)) for n in range(len(self._surfaces))}
+        given = [self._solid.points, *(inlay.points for own in inlays.values() for inlay in own)]
+        every = np.concatenate([*given, *(_in_space(strip, outline_of(strip)) for strip in strips)])
+        pieces = [self._relief(strip, every) for strip in strips]
+        for number, own in inlays.items():
+            pieces += (self._inlay(inlay, number, every) for inlay in own)
+            if not own and number not in boxes:
+                pieces.append(self._bare(number, every))
+        return self._finished(joined(pieces))
+
+    def _relief(self, strip: Strip, every: Array) -> Piece:
+        """Return the facades of a strip, with all points that lie on their outlines."""
+        opening, skin = [], []
+        for part in strip.parts:
+            of = dict(openings_of(part))
+            numbers = {path: len(self._openings) + n for n, path in enumerate(of)}
+            self._openings += of.values()
+            opening += [_number_of(path, numbers) for path in part.paths]
+            file = part.dressing.design.file
+            for own in part.wall.skins:
+                look = Skin(own.material, own.colour or PLAIN, "" if own.colour else file)
+                skin.append(self._skin(look))
+        return relief_of(strip, tuple(_on_outline(strip, every, self._near)), opening, skin)
+
+    def _inlays(self, number: int, box: Box | None) -> tuple[Inlay, ...]:
+        """Return the parts of a surface that is not all bare, or covered by its facade."""
+        surface = self._surfaces[number]
+        flat = [element for element in self._site.on(surface.name) if not element.solid]
+        if not flat and (box is None or (len(surface.outlines) == 1 and _fills(box, surface.outlines[0]))):
+            return ()
+        own = self._solid.points[self._solid.triangles[self._solid.surface == number]]
+        return tuple(inlays_of(own, surface.frame, box, flat, self._near))
+
+    def _inlay(self, inlay: Inlay, number: int, every: Array) -> Piece:
+        """Return a part of a surface that is bare, or that a flat element lies on."""
+        triangles, surface, element = (
+            inlay.triangles(every, self._near),
+            self._surfaces[number],
+            inlay.element,
+        )
+        if element is None:
+            return Piece.bare(triangles, number, self._skin(surface.skin))
+        material = element.labels[0] if element.labels else surface.skin.material
+        opening = NONE
+        if not OPENINGS.isdisjoint(label.lower() for label in element.labels):
+            opening = len(self._openings)
+            self._openings.append(Opening(element.name, element.labels, number, inlay.outline))
+        skin = self._skin(Skin(material, colour_of_labels(element.labels)))
+        return replace(Piece.bare(triangles, number, skin), opening=np.full(len(triangles), opening))
+
+    def _bare(self, number: int, every: Array) -> Piece:
+        """Return a surface that nothing covers, with all points that lie on its edges."""
+        own = self._solid.points[self._solid.triangles[self._solid.surface == number]]
+        return Piece.bare(_opened(own, every, self._near), number, self._skin(self._surfaces[number].skin))
+
+    def _finished(self, whole: Piece) -> Body:
+        points, which = merged(whole.corners.reshape(-1, 3), self._near)
+        triangles = which.reshape(-1, 3)
+        sound = (triangles != np.roll(triangles, 1, axis=1)).all(axis=1)
+        element = self._site.elements[self._solid.name]
+        return Body(
+            self._solid.name,
+            element.labels,
+            standing_on(element, self._site),
+            self._site.origin,
+            points,
+            triangles[sound],
+            whole.surface[sound],
+            whole.opening[sound],
+            whole.skin[sound],
+            whole.shares[sound],
+            tuple(self._told(surface) for surface in self._surfaces),
+            tuple(self._openings),
+            tuple(self._skins),
+            self._solid.closed,
+        )
+
+    def _told(self, surface: Surface) -> BodySurface:
+        x, y, z = self._site.origin
+        a, b, c = surface.frame.origin
+        frame = replace(surface.frame, origin=(a + x, b + y, c + z))
+        return BodySurface(surface.name, surface.labels, frame, surface.outlines)
+
+    def _skin(self, skin: Skin) -> int:
+        return self._skins.setdefault(skin, len(self._skins))
+
+
+def standing_on(element: Element, site: Site) -> str:
+    """Return the name of the solid, or the polygon of the ground, that an element stands on; or nothing."""
+    under = site.surfaces[element.surface].solid
+    if under:
+        return under
+    return element.parent if element.parent in site.elements else ""
+
+
+def _number_of(path: str, numbers: dict[str, int]) -> int:
+    """Return the number of the opening that a region is, or is a part of."""
+    while path:
+        if path in numbers:
+            return numbers[path]
+        path = path.rpartition("/")[0]
+    return NONE
+
+
+def _in_space(strip: Strip, keys: Sequence[Key]) -> Array:
+    return np.array([strip.place.at(*key) for key in keys]).reshape(-1, 3)
+
+
+def _on_outline(strip: Strip, points: Array, near: float) -> Iterator[Key]:
+    """Yield points of the solid that lie on the outlines of a strip's walls, in its coordinates."""
+    known_x = sorted({key[0] for patch in strip.patches for key in patch.corners})
+    known_y = sorted({key[1] for patch in strip.patches for key in patch.corners})
+    for begin, part in zip(strip.begins, strip.parts, strict=False):
+        x0, y0, x1, y1 = part.box
+        corners = np.array([part.corner(x, y) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))])
+        for _, _, which in on_edges(corners, points, near):
+            for x, y in flattened(points[which], part.surface.frame).tolist():
+                along, up = x - x0 + begin, y - y0
+                yield snapped(along, known_x, near), snapped(up, known_y, near), 0.0
+
+
+def _opened(triangles: Array, new: Array, near: float) -> Array:
+    """Return triangles that have all points which lie on their edges, divided where they have."""
+    if not len(new) or not len(triangles):
+        return triangles
+    low, high = triangles.min(axis=1) - near, triangles.max(axis=1) + near
+    close = ((new[None] >= low[:, None]) & (new[None] <= high[:, None])).all(axis=2)
+    found = []
+    for triangle, which in zip(triangles, close, strict=True):
+        outline = with_points(triangle, new[which], near)[0] if which.any() else triangle
+        found.append(triangle[None] if len(outline) == 3 else outline[ears(outline, (1.0, 0.0, 0.0))])
+    return np.concatenate(found)
+
+
+def _fills(box: Box, outline: tuple[Point, ...]) -> bool:
+    """Tell whether a facade fills all of a surface."""
+    return abs(area(outline) - box.width * box.height) <= _NEAR * box.width * box.height

@@ -1,0 +1,76 @@
+"""Replaying: an operations tree made again on a site (Guerrero et al. 2015, section 4.1)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from layoutkit.operations import Branch, Context, Node, Operations, Site
+from layoutkit.operations.operation import Scope
+
+#: Chance of an operation, and of dealing out what it made.
+_DOING, _DEALING = 0, 1
+
+
+@dataclass
+class Replay:
+    """The replay of an operations tree on one site.
+
+    Attributes
+    ----------
+    operations
+        The tree.
+    context
+        Its chance is that of the site; each node has a part of it by its number in document order.
+    outputs
+        What each node has made so far, by its number.
+    parts
+        What each branch was dealt, by the number of its node and its own there, from 0.
+    """
+
+    operations: Operations
+    context: Context
+    outputs: dict[int, Scope] = field(default_factory=dict)
+    parts: dict[tuple[int, int], Scope] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._numbers = {id(node): number for number, node in enumerate(self.operations.nodes)}
+
+    def on(self, site: Site) -> Site:
+        """Return a site after all operations."""
+        return self._all(self.operations.roots, tuple(site.elements), site)
+
+    def _all(self, nodes: Sequence[Node], scope: Scope, site: Site) -> Site:
+        for node in nodes:
+            # What an earlier one took away is no longer there to work on.
+            there = tuple(name for name in scope if name in site.elements or name in site.surfaces)
+            site = self._one(node, there, site)
+        return site
+
+    def _one(self, node: Node, scope: Scope, site: Site) -> Site:
+        number = self._numbers[id(node)]
+        own = self.context.within(number)
+        site, output = node.operation.apply(scope, site, own.within(_DOING))
+        self.outputs[number] = output
+        site = self._all(node.children, output, site)
+        for index, part in enumerate(dealt_out(output, node.branches, own.within(_DEALING))):
+            self.parts[number, index] = part
+            site = self._all(node.branches[index].children, part, site)
+        return site
+
+
+def dealt_out(output: Scope, branches: Sequence[Branch], context: Context) -> Iterator[Scope]:
+    """Yield the part of each branch: what was made is dealt out at random, by the branches' weights.
+
+    All parts are disjoint, and together the whole. Each is as large as its weight asks, up to one.
+    """
+    if not branches:
+        return
+    total = sum(branch.weight for branch in branches)
+    shuffled = context.random().permutation(len(output)).tolist()
+    end, begin = float(context.random(0).random()), 0
+    for number, branch in enumerate(branches):
+        end += len(output) * branch.weight / total
+        last = len(output) if number == len(branches) - 1 else max(begin, min(int(end), len(output)))
+        yield tuple(output[index] for index in sorted(shuffled[begin:last]))
+        begin = last

@@ -1,0 +1,1 @@
+"""Solids: prisms with caps and roofs, Booleans, and the planar surfaces found on them."""

@@ -1,0 +1,85 @@
+"""Unions and differences of solids, by manifold3d; every triangle still knows its surface."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from layoutkit.operations import Solid
+
+if TYPE_CHECKING:
+    from manifold3d import Manifold
+
+#: Details below this share of a solid's size are taken for rounding.
+_ROUNDING = 1e-9
+
+
+def united(first: Solid, others: Sequence[Solid]) -> Solid:
+    """Return the union of solids, as a solid of the first one's name."""
+    return _combined(first, others, "Add")
+
+
+def subtracted(first: Solid, others: Sequence[Solid]) -> Solid:
+    """Return the first solid without what the others take up."""
+    return _combined(first, others, "Subtract")
+
+
+def meet(one: Solid, other: Solid) -> bool:
+    """Tell whether two solids have a volume in common."""
+    low = np.maximum(one.points.min(axis=0), other.points.min(axis=0))
+    high = np.minimum(one.points.max(axis=0), other.points.max(axis=0))
+    if (low >= high).any():
+        return False
+    size = float(np.ptp(one.points, axis=0).max())
+    shared: float = (_manifold(one, 0) ^ _manifold(other, 1)).volume()
+    return shared > _ROUNDING * size**3
+
+
+def volume(solid: Solid) -> float:
+    """Return the volume that a closed mesh encloses; below 0 if it is inside out."""
+    a, b, c = (solid.points[solid.triangles[:, n]] - solid.points[0] for n in range(3))
+    return float((a * np.cross(b, c)).sum()) / 6
+
+
+def watertight(solid: Solid) -> bool:
+    """Tell whether every edge is between two triangles that agree on their outside, and there is a volume."""
+    t = solid.triangles
+    edges = np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]])
+    count = len(solid.points)
+    there, back = edges[:, 0] * count + edges[:, 1], edges[:, 1] * count + edges[:, 0]
+    once = len(np.unique(there)) == len(there)
+    return once and bool(np.array_equal(np.sort(there), np.sort(back))) and volume(solid) > 0
+
+
+def _combined(first: Solid, others: Sequence[Solid], operation: Literal["Add", "Subtract"]) -> Solid:
+    from manifold3d import Manifold, OpType
+
+    every = (first, *others)
+    names = [name for solid in every for name in solid.surfaces]
+    begins = np.cumsum([0, *(len(solid.surfaces) for solid in every)])
+    parts = [_manifold(solid, int(begin)) for solid, begin in zip(every, begins, strict=False)]
+    made = Manifold.batch_boolean(parts, getattr(OpType, operation))
+    return _solid(made, first.name, names)
+
+
+def _manifold(solid: Solid, begin: int) -> Manifold:
+    """Return a solid as the library has it; its surfaces are counted from `begin`."""
+    from manifold3d import Manifold, Mesh64
+
+    mesh = Mesh64(
+        np.ascontiguousarray(solid.points, np.float64),
+        np.ascontiguousarray(solid.triangles, np.uint64),
+        face_id=np.ascontiguousarray(solid.surface + begin, np.uint64),
+    )
+    return Manifold(mesh)
+
+
+def _solid(made: Manifold, name: str, names: Sequence[str]) -> Solid:
+    mesh = made.to_mesh64()
+    points = np.array(mesh.vert_properties)[:, :3]
+    triangles = np.array(mesh.tri_verts, np.int64)
+    which, surface = np.unique(np.array(mesh.face_id, np.int64), return_inverse=True)
+    kept = tuple(names[number] for number in which)
+    return Solid(name, points, triangles, surface.astype(np.int64), kept)

@@ -1,0 +1,125 @@
+"""Planar surfaces of solids, named, and with coordinates of their own (supplement, section 1)."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from layoutkit.model.face import Point
+from layoutkit.model.outline import area
+from layoutkit.model.world import Frame, Skin
+from layoutkit.operations import Element, Solid, Surface
+from layoutkit_operations.solids.frames import Array, flattened, frame_about, normal_of
+from layoutkit_operations.solids.polyhedra import Facet, Indices, triangulated
+
+#: Parts of a surface below this share of the solid's own size squared are not told.
+_NOTHING = 1e-10
+
+
+def solid_of(
+    element: Element, facets: Sequence[Facet], skins: Mapping[str, Skin], closed: bool
+) -> tuple[Solid, tuple[Surface, ...]]:
+    """Return the solid that facets enclose, and its surfaces: one for each facet, named by its first label.
+
+    Parameters
+    ----------
+    skins
+        By the first label of the facets.
+    """
+    points, triangles, of = triangulated(facets)
+    numbers: Counter[str] = Counter()
+    surfaces = []
+    for facet in facets:
+        first = facet.labels[0]
+        numbers[first] += 1
+        frame = frame_about(facet.points, normal_of(facet.points), facet.along)
+        surfaces.append(
+            Surface(
+                f"{element.name}.{first}_{numbers[first]}",
+                facet.labels,
+                frame,
+                (_points(flattened(facet.points, frame)),),
+                skins[first],
+                element.name,
+                element.name,
+            )
+        )
+    names = tuple(surface.name for surface in surfaces)
+    return Solid(element.name, points, triangles, of, names, closed), tuple(surfaces)
+
+
+def found_again(solid: Solid, surfaces: Mapping[str, Surface]) -> Iterator[Surface]:
+    """Yield the surfaces that a solid still has, with what can be seen of them now.
+
+    Surfaces that look the other way round, as those of what was taken away do, are turned.
+    """
+    size = float(np.ptp(solid.points, axis=0).max())
+    for number, name in enumerate(solid.surfaces):
+        triangles = solid.triangles[solid.surface == number]
+        if len(triangles):
+            own = replace(surfaces[name], solid=solid.name)
+            normal = normal_of(solid.points[triangles[_largest(solid.points, triangles)]])
+            if float(normal @ np.array(own.frame.out)) < 0:
+                seen = solid.points[np.unique(triangles)]
+                own = replace(own, frame=frame_about(seen, normal, own.frame.right), dressing=None)
+            outlines = tuple(outlines_of(solid.points, triangles, own.frame, _NOTHING * size * size))
+            if outlines:
+                yield replace(own, outlines=outlines)
+
+
+def outlines_of(
+    points: Array, triangles: Indices, frame: Frame, nothing: float
+) -> Iterator[tuple[Point, ...]]:
+    """Yield the outlines of triangles in a plane, counter-clockwise; holes are left out.
+
+    Parameters
+    ----------
+    nothing
+        Outlines of less area are left out, too.
+    """
+    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    count = len(points)
+    both = set((edges[:, 1] * count + edges[:, 0]).tolist())
+    onward: defaultdict[int, list[int]] = defaultdict(list)
+    for one, other in edges.tolist():
+        if one * count + other not in both:
+            onward[one].append(other)
+    for loop in _loops(onward):
+        flat = _points(flattened(points[loop], frame))
+        outline = _straight(flat)
+        if len(outline) >= 3 and area(outline) > nothing:
+            yield outline
+
+
+def _loops(onward: dict[int, list[int]]) -> Iterator[list[int]]:
+    for start in sorted(onward):
+        while onward[start]:
+            loop, at = [start], onward[start].pop()
+            while at != start:
+                loop.append(at)
+                at = onward[at].pop()
+            yield loop
+
+
+def _straight(outline: tuple[Point, ...]) -> tuple[Point, ...]:
+    """Return an outline without points on straight lines."""
+    kept = []
+    for number, (x, y) in enumerate(outline):
+        (a, b), (c, d) = outline[number - 1], outline[(number + 1) % len(outline)]
+        cross = (x - a) * (d - y) - (y - b) * (c - x)
+        if abs(cross) > 1e-9 * ((x - a) ** 2 + (y - b) ** 2 + (c - x) ** 2 + (d - y) ** 2):
+            kept.append((x, y))
+    return tuple(kept)
+
+
+def _largest(points: Array, triangles: Indices) -> int:
+    corners = points[triangles]
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return int((cross * cross).sum(axis=1).argmax())
+
+
+def _points(flat: Array) -> tuple[Point, ...]:
+    return tuple((x, y) for x, y in (flat + 0.0).tolist())
