@@ -1,3 +1,9 @@
 """Being written."""
-def operations(): raise NotImplementedError
-def scenes(): return ()
+
+
+def operations():
+    raise NotImplementedError
+
+
+def scenes():
+    return ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from facades.painting.buildings import houses, towers
 from facades.painting.carpet import carpet
 from facades.painting.garden import garden
 from facades.painting.joinery import furniture
@@ -233,6 +234,21 @@ def flank(stone: tuple[int, int, int]) -> Painter:
     return paint
 
 
+def _pavilion() -> Design:
+    stone, white = (222, 214, 198), (240, 240, 234)
+    green = (96, 122, 104)
+    return {
+        "Cornice": cornice(stone, 0.25),
+        "Pilaster": pilaster(stone, 2),
+        "Lattice": balustrade(stone, (150, 166, 150)),
+        "Window": sash(white, stone, 2, 4),
+        "Door": sash(green, stone, 4, 4),
+        "Sill": course(stone),
+        "Panel": panelled_stall(green),
+        "Plinth": ashlar((168, 160, 146), 0.8, 0.3, depth=0.03),
+    }
+
+
 DESIGNS: Mapping[str, Design] = {
     "plain": _plain(),
     "arcade": _arcade(),
@@ -241,5 +257,8 @@ DESIGNS: Mapping[str, Design] = {
     "block": _block(),
     "garden": garden(),
     "carpet": carpet(),
+    "pavilion": _pavilion(),
     **furniture(),
+    **houses(),
+    **towers(),
 }

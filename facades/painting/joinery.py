@@ -101,7 +101,9 @@ def crockery(wood: Colour) -> Painter:
         x = step * 0.3
         while x + step * 0.8 < tile.width:
             high = tile.rng.uniform(0.06, 0.18) * tile.unit
-            glaze = jitter(((232, 226, 212), (120, 150, 160), (206, 150, 104))[int(tile.rng.integers(3))], tile.rng, 0.05)
+            glaze = jitter(
+                ((232, 226, 212), (120, 150, 160), (206, 150, 104))[int(tile.rng.integers(3))], tile.rng, 0.05
+            )
             tile.fill((x, floor - high, x + step * 0.75, floor), glaze)
             x += step
         tile.fill((0, floor, tile.width, tile.height), wood)

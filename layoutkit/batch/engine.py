@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -14,7 +14,7 @@ from layoutkit.batch.journal import Journal
 from layoutkit.batch.plan import Plan
 from layoutkit.batch.record import Record, Written
 from layoutkit.batch.runners import Runner
-from layoutkit.batch.task import Finished
+from layoutkit.batch.task import Finished, Task
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
 
 MANIFEST_FILE = "manifest.json"
@@ -80,15 +80,15 @@ def carry_out(
     """
     journal = Journal.opened(folder)
     try:
-        done = _earlier(journal, plan, folder, _clear if afresh else _refuse)
+        done = _earlier(journal, plan, folder, afresh)
         copies = [copied for name, path in plan.copies.items() for copied in _copied(name, path, folder)]
         if done is None:
             journal.begin(plan, copies)
             done = set()
         kept = len(done)
         watching.begin(len(plan.tasks), kept)
-        waiting = (task for task in plan.tasks if task.key not in done)
-        with contextlib.closing(runner.run(waiting)) as finished_ones:
+        waiting = [task for task in plan.tasks if task.key not in done]
+        with contextlib.closing(_finished(runner, waiting)) as finished_ones:
             for finished in finished_ones:
                 _write(finished, folder)
                 journal.add(Record.of_finished(finished))
@@ -102,32 +102,33 @@ def carry_out(
     return Report(len(done), len(plan.tasks) - len(done), kept, manifest)
 
 
-def _earlier(
-    journal: Journal, plan: Plan, folder: Path, deal_with: Callable[[Journal, Path], None]
-) -> set[str] | None:
+def _finished(runner: Runner, tasks: Sequence[Task]) -> Generator[Finished, None, None]:
+    """Yield what comes of tasks; where there are none, no worker is started."""
+    if tasks:
+        yield from runner.run(iter(tasks))
+
+
+def _earlier(journal: Journal, plan: Plan, folder: Path, afresh: bool) -> set[str] | None:
     """Return the keys of tasks that an earlier run has done; None where the journal is to begin.
 
-    Parameters
-    ----------
-    deal_with
-        What to do with results of another plan, if any.
+    Raises
+    ------
+    Faulty
+        If the folder has results of another plan (LK890).
     """
     header, records = journal.header(), list(journal.records())
-    if not header or header.get("fingerprint") != plan.fingerprint or deal_with is _clear:
-        if records:
-            deal_with(journal, folder)
-        return None
-    _sweep(folder)
-    done = (record for record in records if record.status == "done")
-    return {record.key for record in done if all(file.stands(folder) for file in record.files)}
-
-
-def _refuse(journal: Journal, folder: Path) -> None:
-    """Raise `Faulty`: there is another run's work in the folder."""
-    command = journal.header().get("command", "another program")
-    message = f"the folder has results of another run: of `{command}`, with other inputs or options"
-    hint = "name another folder with -o; or begin anew in this one with --afresh, which deletes them"
-    raise Faulty([Diagnostic("LK890", message, Place(str(folder)), hint, topic="batch")])
+    if afresh:
+        _clear(journal, folder)
+    elif header.get("fingerprint") == plan.fingerprint:
+        _sweep(folder)
+        done = (record for record in records if record.status == "done")
+        return {record.key for record in done if all(file.stands(folder) for file in record.files)}
+    elif records:
+        command = header.get("command", "another program")
+        message = f"the folder has results of another run: of `{command}`, with other inputs or options"
+        hint = "name another folder with -o; or begin anew in this one with --afresh, which deletes them"
+        raise Faulty([Diagnostic("LK890", message, Place(str(folder)), hint, topic="batch")])
+    return None
 
 
 def _sweep(folder: Path) -> None:

@@ -61,6 +61,9 @@ class Sizes:
         """
         return cls(tuple(dict.fromkeys(read_size(part.strip()) for part in text.split(","))))
 
+    def __str__(self) -> str:
+        return ",".join(map(str, self.measures))
+
 
 def read_sizes(text: str | Sizes) -> Sizes:
     """Read sizes; typer also hands defaults in."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -60,6 +60,9 @@ class Seeds:
                 raise ValueError(f"{text} are more than {MOST_SEEDS:,} seeds")
             found.update(dict.fromkeys(range(start, end + 1)))
         return cls(tuple(found))
+
+    def __str__(self) -> str:
+        return ",".join(map(str, self.numbers))
 
 
 def read_seeds(text: str | Seeds) -> Seeds:
@@ -173,6 +176,7 @@ def carried_out(
     except KeyboardInterrupt:
         _tell_how_to_go_on(shown, what)
         raise
+    outcome.sort([task.key for task in plan.tasks])
     session.report(outcome.remarks)
     outcome.tell(session)
     if as_json:
@@ -214,6 +218,14 @@ class _Outcome:
         codes = sorted({d.code for d in told})
         self.failed.append({"task": finished.key, "status": status, "codes": codes})
         self._exits.add(_exit(status, told))
+
+    def sort(self, keys: Sequence[str]) -> None:
+        """Bring failures into the order of tasks: they came as workers were done."""
+        order = {key: number for number, key in enumerate(keys)}
+        self.failed.sort(key=lambda failure: order[failure["task"]])
+        for alike in self.failures.values():
+            alike.sort(key=order.__getitem__)
+        self.failures = dict(sorted(self.failures.items(), key=lambda item: order[item[1][0]]))
 
     @property
     def exit(self) -> Exit:

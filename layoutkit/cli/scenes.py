@@ -50,7 +50,9 @@ def read_scene(
         session.report(read.diagnostics)
         return read.scene
     if format_name is None and documents.is_placement_model(path):
-        raise Faulty([_a_model(path)])
+        raise Faulty([_no_scene(path, "placement-model", f"place {path} SCENE -o OUT.png", "places by it")])
+    if format_name is None and documents.is_operations(path):
+        raise Faulty([_no_scene(path, "operations", f"replay {path} SCENE -o OUT", "makes them in it")])
     if format_name is None and is_tree(path):
         from layoutkit.scenes.regions import scene_of
 
@@ -209,14 +211,10 @@ def _quoted(part: str) -> str:
     return shlex.quote(part)
 
 
-def _a_model(path: Path) -> Diagnostic:
-    return Diagnostic(
-        "LK101",
-        "<placement-model> is no scene",
-        Place(str(path)),
-        f"name a scene; `layoutkit place {path} SCENE -o OUT.png` places shapes as the model says",
-        topic="schema",
-    )
+def _no_scene(path: Path, root: str, command: str, does: str) -> Diagnostic:
+    """Say that a document is of another kind, and which command takes it."""
+    hint = f"name a scene; `layoutkit {command}` {does}"
+    return Diagnostic("LK101", f"<{root}> is no scene", Place(str(path)), hint, topic="schema")
 
 
 def _undecided(path: Path, choice: Sequence[SceneFormat], fitting: bool) -> Diagnostic:

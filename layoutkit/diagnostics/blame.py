@@ -68,6 +68,9 @@ def _bounded(answers: Iterable[T], culprit: object, what: str) -> Iterator[T]:
         raise Misbehaviour(culprit, f"gives more than {MOST:,} {what}")
 
 
+#: What users call parts of plugins that have a place in a document, by the class that they derive from.
+_CALLED = {"Constraint": "the constraint kind", "Operation": "the operation"}
+
 #: Which classes are layoutkit's own, as far as that has been asked.
 _OURS: dict[type, bool] = {}
 
@@ -125,8 +128,9 @@ def diagnosed(
         hint = f"this is a fault of ours, please report it; {_SEE}"
         return Diagnostic("LK901", message, place, hint, topic="internal")
     asked: Any = own.f_locals.get("self") if own is not None else None
-    if not what and hasattr(asked, "qualified_name"):
-        what, place = f"the constraint kind {asked.qualified_name()!r}", place or asked.place
+    called = next((_CALLED[base.__name__] for base in type(asked).__mro__ if base.__name__ in _CALLED), "")
+    if not what and called:
+        what, place = f"{called} {asked.qualified_name()!r}", place or asked.place
     who = f"{what} of {whose}" if what else whose
     line = next((n for frame, n in traceback.walk_tb(error.__traceback__) if frame is own), 0)
     at = () if own is None else (f"in {own.f_code.co_name}(), {own.f_code.co_filename}:{line}",)

@@ -19,4 +19,12 @@ CODES = (
         "A fault of ours, or of the plugin whose constraints the facade uses.",
         "Report it, with the facade's document and the seed.",
     ),
+    Code(
+        "LK903",
+        "body that is not as it should be",
+        "What a replay of operations has made does not pass the check afterwards: a mesh has gaps or no "
+        "volume, or an opening is not on its surface.",
+        "A fault of ours, or of the plugin whose operations are used.",
+        "Report it, with the operations, the scene and the seed.",
+    ),
 )

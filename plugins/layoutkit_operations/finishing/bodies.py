@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from layoutkit.model import Body, BodySurface, Box, Opening, Skin
+from layoutkit.model import Body, BodySurface, Box, Frame, Opening, Skin
 from layoutkit.model.face import Point
 from layoutkit.model.outline import area
 from layoutkit.operations import Element, Site, Solid, Surface
@@ -106,7 +106,8 @@ class _Building:
     def _bare(self, number: int, every: Array) -> Piece:
         """Return a surface that nothing covers, with all points that lie on its edges."""
         own = self._solid.points[self._solid.triangles[self._solid.surface == number]]
-        return Piece.bare(_opened(own, every, self._near), number, self._skin(self._surfaces[number].skin))
+        surface = self._surfaces[number]
+        return Piece.bare(_opened(own, every, surface.frame, self._near), number, self._skin(surface.skin))
 
     def _finished(self, whole: Piece) -> Body:
         points, which = merged(whole.corners.reshape(-1, 3), self._near)
@@ -174,7 +175,7 @@ def _on_outline(strip: Strip, points: Array, near: float) -> Iterator[Key]:
                 yield snapped(along, known_x, near), snapped(up, known_y, near), 0.0
 
 
-def _opened(triangles: Array, new: Array, near: float) -> Array:
+def _opened(triangles: Array, new: Array, frame: Frame, near: float) -> Array:
     """Return triangles that have all points which lie on their edges, divided where they have."""
     if not len(new) or not len(triangles):
         return triangles
@@ -183,7 +184,7 @@ def _opened(triangles: Array, new: Array, near: float) -> Array:
     found = []
     for triangle, which in zip(triangles, close, strict=True):
         outline = with_points(triangle, new[which], near)[0] if which.any() else triangle
-        found.append(triangle[None] if len(outline) == 3 else outline[ears(outline, (1.0, 0.0, 0.0))])
+        found.append(triangle[None] if len(outline) == 3 else outline[ears(outline, frame)])
     return np.concatenate(found)
 
 

@@ -86,25 +86,26 @@ def inlays_of(
     flat
         What lies there.
     near
-        Parts that are no wider than this are left out.
+        How far apart points may be and still be one.
     """
     import shapely
 
+    # Points come to lie farther apart than what counts as one, and each still counts as what it was.
+    grid = {"grid_size": 1.25 * near}
     corners = flattened(triangles.reshape(-1, 3), frame).reshape(-1, 3, 2)
-    whole = shapely.union_all(shapely.polygons(corners))
+    whole = shapely.union_all(shapely.polygons(corners), **grid)
     hidden = shapely.box(*box) if box is not None else shapely.Polygon()
     shapes = [(shapely.Polygon(element.points), element) for element in flat]
     for shape, element in sorted(shapes, key=lambda pair: float(pair[0].area)):
-        seen = shapely.difference(shapely.intersection(shape, whole), hidden)
-        yield from (Inlay(part, frame, element) for part in _polygons(seen, near))
-        hidden = shapely.union(hidden, shape)
-    left = shapely.difference(whole, hidden)
-    yield from (Inlay(part, frame, None) for part in _polygons(left, near))
+        seen = shapely.difference(shapely.intersection(shape, whole, **grid), hidden, **grid)
+        yield from (Inlay(part, frame, element) for part in _polygons(seen))
+        hidden = shapely.union(hidden, seen, **grid)
+    left = shapely.difference(whole, hidden, **grid)
+    yield from (Inlay(part, frame, None) for part in _polygons(left))
 
 
-def _polygons(shape: Any, near: float) -> list[Any]:
-    """Return the polygons that a shape is made of, but for slivers."""
+def _polygons(shape: Any) -> list[Any]:
+    """Return the polygons that a shape is made of."""
     import shapely
 
-    parts = shapely.get_parts(shape)
-    return [p for p in parts if shapely.area(p) > near * shapely.length(p)]
+    return [part for part in shapely.get_parts(shape) if shapely.area(part) > 0]

@@ -145,20 +145,19 @@ def snapped(box: Placement, outlines: Sequence[Sequence[Point]], near: float) ->
     half = (box.width / 2, box.height / 2)
     sides = []
     for axis, reach in enumerate(half):
-        levels = [
-            (a[axis] + b[axis]) / 2
-            for a, b in edges
-            if abs(a[axis] - b[axis]) <= _ALONG * abs(a[1 - axis] - b[1 - axis])
-            and min(a[1 - axis], b[1 - axis]) < half[1 - axis]
-            and max(a[1 - axis], b[1 - axis]) > -half[1 - axis]
-        ]
+        levels = [(a[axis] + b[axis]) / 2 for a, b in edges if _runs_by(a, b, axis, half[1 - axis])]
         for side in (-reach, reach):
-            level = min(levels, key=lambda own: abs(own - side), default=side)
-            sides.append(level if abs(level - side) <= near else side)
+            # Never inwards as far as the middle, so that something of the box is left.
+            close = [own for own in levels if abs(own - side) <= near and own * side >= side * side / 2]
+            sides.append(min(close, key=lambda level: abs(level - side), default=side))
     left, right, bottom, top = sides
-    if right <= left or top <= bottom:
-        return box
     return _changed(box, (left + right) / 2, (bottom + top) / 2, right - left, top - bottom)
+
+
+def _runs_by(a: Point, b: Point, axis: int, reach: float) -> bool:
+    """Tell whether an edge runs along the sides that lie across an axis, and beside some of them."""
+    low, high = sorted((a[1 - axis], b[1 - axis]))
+    return abs(a[axis] - b[axis]) <= _ALONG * (high - low) and low < reach and high > -reach
 
 
 def polygon_in(box: Placement, sides: int) -> tuple[Point, ...]:

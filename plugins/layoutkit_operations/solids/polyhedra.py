@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from layoutkit.model.world import Vector
+from layoutkit.model.world import Frame, Vector
 from layoutkit_operations.solids.frames import Array, flattened, frame_about, normal_of
 
 #: Points nearer to each other than this share of the whole are one.
@@ -61,18 +61,18 @@ def triangulated(facets: Sequence[Facet]) -> tuple[Array, Indices, Indices]:
         own = own[own != np.roll(own, 1)]
         if len(own) < 3:
             continue
-        found = own[ears(points[own], facet.along)]
+        frame = frame_about(points[own], normal_of(points[own]), facet.along)
+        found = own[ears(points[own], frame)]
         triangles.append(found)
         of.append(np.full(len(found), number))
     return points, np.concatenate(triangles), np.concatenate(of)
 
 
-def ears(points: Array, along: Vector) -> Indices:
-    """Return the triangles of a planar polygon, counter-clockwise as it is; no point is left out."""
+def ears(points: Array, frame: Frame) -> Indices:
+    """Return the triangles of a polygon in a plane, counter-clockwise as it is; no point is left out."""
     from manifold3d import triangulate
 
     if len(points) == 3:
         return np.array([[0, 1, 2]])
-    flat = flattened(points, frame_about(points, normal_of(points), along))
-    found: Indices = np.asarray(triangulate([flat]), np.int64)
+    found: Indices = np.asarray(triangulate([flattened(points, frame)]), np.int64)
     return found

@@ -70,7 +70,7 @@ class Prism:
             yield self._side(edge, low, high)
         roofed = {edge for edge, _, _ in parts}
         for edge, part, rises in parts:
-            yield self._facet(part, high + rises, ("Roof", *self._own(edge)[1:]))
+            yield self._facet(part, high + rises, ("Roof", *self._own(edge)[2:]))
             if edge in roofed and self.cap == "gable":
                 gable = (edge + 1) % len(self.outline)
                 yield self._gable(gable, high, [(p, r) for _, p, r in parts])
@@ -97,13 +97,13 @@ class Prism:
         cut = profile(self.outline, edge, parts)
         points = np.array([start, end, *(point for point, _ in cut)])
         rises = np.array([0.0, 0.0, *(rise for _, rise in cut)])
-        return self._facet(points, high + rises, ("Gable", *self._own(edge)[1:]))
+        return self._facet(points, high + rises, ("Gable", *self._own(edge)[2:]))
 
     def _ends(self, edge: int) -> list[Array]:
         return [self.outline[edge], self.outline[(edge + 1) % len(self.outline)]]
 
     def _own(self, edge: int) -> tuple[str, ...]:
-        """Return the labels of the side over an edge: where it looks, and those that the edge has."""
+        """Return the labels of the side over an edge: what it is, where it looks, and what the edge has."""
         (x0, y0), (x1, y1) = (point.tolist() for point in self._ends(edge))
         looks = math.degrees(math.atan2(x0 - x1, y1 - y0)) - self.angle
         further = self.labels[edge] if self.labels else ()

@@ -151,6 +151,21 @@ def test_a_plugin_that_takes_layoutkits_namespace_is_named(install: Callable[...
     assert "Still.namespace is layoutkit's own" in refused.message
 
 
+def test_an_operation_that_fails_at_its_work_is_named(
+    install: Callable[..., Path], layoutkit: Any, tmp_path: Path
+) -> None:
+    failing = SOURCE.replace("return Result(site, scope)", "raise KeyError('lost')")
+    install("benders", failing + HOOK.format("Bend"))
+    file, scene = tmp_path / "o.xml", tmp_path / "s.xml"
+    file.write_text(document("<acme:bend/>"))
+    scene.write_text(
+        '<scene xmlns="urn:layoutkit:1" name="s" units="m"><polygon points="0,0 1,0 1,1"/></scene>'
+    )
+    run = layoutkit("replay", file, scene, "--no-views", "-o", tmp_path / "out")
+    assert run.code == 5
+    assert "o.xml:2:1: error LK407 plugin: the operation 'acme:bend' of the plugin 'benders'" in run.err
+
+
 def test_inspect_shows_the_tree(layoutkit: Any, tmp_path: Path) -> None:
     file = tmp_path / "o.xml"
     branches = '<branch weight="2"><delete/></branch><branch/>'
@@ -190,6 +205,15 @@ def test_commands_for_facades_say_what_to_do_with_operations(layoutkit: Any, tmp
         assert run.code == 1
         assert "LK101" in run.err
         assert f"`layoutkit replay {file} SCENE -o out` makes the operations in a scene" in run.err
+
+
+def test_operations_are_no_scene(layoutkit: Any, tmp_path: Path) -> None:
+    file = tmp_path / "o.xml"
+    file.write_text(document("<delete/>"))
+    run = layoutkit("replay", file, file, "--no-views", "-o", tmp_path / "out")
+    assert run.code == 1
+    assert "error LK101 schema: <operations> is no scene" in run.err
+    assert f"name a scene; `layoutkit replay {file} SCENE -o OUT` makes them in it" in run.err
 
 
 def test_validate_takes_folders_with_operations(layoutkit: Any, tmp_path: Path) -> None:

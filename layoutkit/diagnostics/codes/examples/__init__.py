@@ -67,4 +67,5 @@ UNSHOWN: Mapping[str, str] = {
     "LK896": "it takes a file that is changed while a command reads it",
     "LK901": "it is a fault of layoutkit: if an example were known, it would be mended",
     "LK902": "it is a fault of layoutkit: if an example were known, it would be mended",
+    "LK903": "it is a fault of layoutkit: if an example were known, it would be mended",
 }
