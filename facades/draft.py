@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
-from facades.drafting import bedrooms, fronts, houses, plots, towers
+from facades.drafting import bedrooms, fronts, gardens, houses, interior, plots, towers
 from layoutkit.documents import operations_bytes, scene_bytes
 from layoutkit.model import Scene
 from layoutkit.operations import Operations
@@ -23,6 +23,8 @@ DRAFTS: Mapping[str, tuple[Callable[[], Scene], Callable[[], Scene]]] = {
 PIPELINES: Mapping[str, tuple[Callable[[], Operations], Callable[[], tuple[Scene, ...]]]] = {
     "houses": (houses.operations, houses.scenes),
     "towers": (towers.operations, towers.scenes),
+    "flat": (interior.operations, interior.scenes),
+    "park": (gardens.operations, gardens.scenes),
 }
 
 

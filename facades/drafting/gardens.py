@@ -48,7 +48,7 @@ def operations() -> Operations:
         _session(examples("Walk"), "Walk", _walks),
         _session(park(), "Path", lambda path: path.do(Extrude(height=-0.1, colour=_SAND))),
     )
-    return Operations("garden", "m", tuple(n for s in sessions for n in s.operations("part").roots))
+    return Operations("park", "m", tuple(n for s in sessions for n in s.operations("part").roots))
 
 
 def _session(scene: Scene, label: str, plant: Callable[[Step], object]) -> Recorder:
@@ -102,9 +102,9 @@ def _lawns(lawn: Step) -> None:
         Place(limit=2, threshold=0.15),
     )
     behind = _put(lawn, "Hedge", [(12.8, 19.6, 24.8, 0.8)], [(8.8, 23.6, 16.8, 0.8)], _ANY_LENGTH, _ONE)
-    behind = behind.do(Shape(snap=0.8, height=0.8, up="top"))
+    behind = behind.do(Shape(snap=1.6, height=0.8, up="top"))
     beside = _put(lawn, "Hedge", [(25.6, 9.9, 0.8, 18.2)], [(21.6, 10.2, 0.8, 18.8)], _ANY_LENGTH, _ONE)
-    beside = beside.do(Shape(snap=0.8, width=0.8, across="right"))
+    beside = beside.do(Shape(snap=1.6, width=0.8, across="right"))
     bench = _put(
         lawn,
         "Bench",
@@ -115,16 +115,16 @@ def _lawns(lawn: Step) -> None:
     grove = _put(
         lawn,
         "Grove",
-        [(16.0, 15.0, 3.2, 3.2), (7.0, 15.5, 3.2, 3.2), (22.0, 15.5, 3.2, 3.2)],
-        [(16.0, 19.0, 3.2, 3.2), (8.0, 19.0, 3.2, 3.2), (16.5, 12.0, 3.2, 3.2)],
+        [(16.0, 15.0, 3.8, 3.8), (7.0, 15.5, 3.8, 3.8), (22.0, 15.5, 3.8, 3.8)],
+        [(16.0, 19.0, 3.8, 3.8), (8.0, 19.0, 3.8, 3.8), (16.5, 12.0, 3.8, 3.8)],
         like=Place(limit=3, threshold=0.1),
-    )
+    ).do(Shape(width=2.8, height=2.8))
     trees = rows.do(Array(label="Tree", each_width=2.4, each_height=2.4, gap_across=1.0, gap_up=1.0))
     for part, leaves in zip(trees.split(1, 1, 1), _LEAVES, strict=True):
         _tree(part, 2.0, 1.1, leaves)
     first, second = grove.split(3, 2)
     _fir(first)
-    _tree(second.do(Shape(width=3.0, height=3.0)), 1.8, 1.0, _BLOSSOM)
+    _tree(second, 1.8, 1.0, _BLOSSOM)
     for hedge in (behind, beside):
         hedge.do(Extrude(height=1.3, random=0.08, colour=_HEDGE))
     _benches(bench)

@@ -49,7 +49,7 @@ def operations() -> Operations:
     ]
     shell = Recorder(floor())
     _shell(shell)
-    return Operations("interior", "m", (*roots, *shell.operations("shell").roots))
+    return Operations("flat", "m", (*roots, *shell.operations("shell").roots))
 
 
 def _session(label: str, furnish: Callable[[Step], Iterator[Builder]]) -> Recorder:

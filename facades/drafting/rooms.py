@@ -59,7 +59,7 @@ def floor() -> Scene:
         _swing("Door_F", 8.5, 3.2),
         replace(_swing("Door_G", 14.0, 4.4), angle=90.0),
     )
-    return Scene("floor", "m", (*rooms, *swings, *_walls()))
+    return Scene("flat", "m", (*rooms, *swings, *_walls()))
 
 
 def _living() -> Polygon:

@@ -34,6 +34,7 @@ PALETTE: Mapping[str, Colour] = {
     "storey": (238, 228, 210),
     "street": (186, 184, 182),
     "plot": (204, 220, 176),
+    "site": (206, 212, 190),
     "room": (240, 234, 222),
     "bedroom": (236, 228, 214),
     "livingroom": (240, 232, 208),

@@ -21,9 +21,10 @@ from layoutkit.model import LearningSettings, Placement, PlacementModel, Scene, 
 from layoutkit.operations import Branch, Context, Design, Node, Operation, Operations, Site
 from layoutkit.operations.operation import Scope
 from layoutkit.operations.sites import number_of, sites_of
-from layoutkit_operations.kinds.place import Place, scenes_of
+from layoutkit_operations.kinds.place import Place
 from layoutkit_operations.kinds.select import Select
 from layoutkit_operations.replaying import Replay
+from layoutkit_operations.standing import Standing
 
 if TYPE_CHECKING:
     from layoutkit.hooks.running import Runner
@@ -189,7 +190,7 @@ class Step:
         """
         for made in self.recorder._replayed():
             if name in made.site.elements or name in made.site.surfaces:
-                found = next(iter(scenes_of(name, made.site)), None)
+                found = next(iter(Standing(made.site).scenes(name)), None)
                 if found is not None:
                     return found[1]
         raise Faulty([_unknown(name, self.output)])

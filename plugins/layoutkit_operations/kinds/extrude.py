@@ -10,7 +10,7 @@ from layoutkit.constraints.attributes import attribute, choice
 from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.documents.grammar import AMOUNT, NUMBER, TEXT
 from layoutkit.model.world import Skin
-from layoutkit.operations import Context, Element, Operation, Result, Site
+from layoutkit.operations import Context, Element, Operation, Result, Site, Solid, Surface
 from layoutkit.operations.attributes import COLOUR, Colour
 from layoutkit.operations.operation import Scope
 
@@ -72,8 +72,9 @@ class Extrude(Operation):
         """Return the site with a solid for each element that was flat, and these elements."""
         from layoutkit_operations.solids.surfaces import solid_of
 
-        made = []
-        for number, name in enumerate(scope):
+        made: list[tuple[Element, Solid]] = []
+        sides: list[Surface] = []
+        for number, name in enumerate(dict.fromkeys(scope)):
             element = site.elements.get(name)
             if element is None or element.solid:
                 what = "is a solid already" if element else "is no element"
@@ -83,10 +84,11 @@ class Extrude(Operation):
             prism = self._prism(element, site, self.height * factor, context)
             closed = self.cap != "none"
             solid, surfaces = solid_of(element, tuple(prism.facets()), self._skins(element), closed)
-            site = site.with_elements(replace(element, solid=name)).with_solids(solid)
-            site = site.with_surfaces(*surfaces)
-            made.append(name)
-        return Result(site, tuple(made))
+            made.append((replace(element, solid=name), solid))
+            sides += surfaces
+        elements, solids = [element for element, _ in made], [solid for _, solid in made]
+        after = site.with_elements(*elements).with_solids(*solids).with_surfaces(*sides)
+        return Result(after, tuple(element.name for element in elements))
 
     def _prism(self, element: Element, site: Site, height: float, context: Context) -> Prism:
         import numpy as np

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -10,6 +10,7 @@ from layoutkit.constraints.attributes import attribute
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.documents.grammar import AMOUNT, SIZE, WHOLE
 from layoutkit.model import Placement, PlacementModel, Scene, Spacing
+from layoutkit.model.outline import inside
 from layoutkit.operations import Context, Element, Operation, Result, Site
 from layoutkit.operations.attributes import held
 from layoutkit.operations.operation import Scope
@@ -55,26 +56,33 @@ class Place(Operation):
             yield from (self._fault(d.message, d.hint) for d in faulty.diagnostics)
 
     def apply(self, scope: Scope, site: Site, context: Context) -> Result:
-        """Return the site with what was placed, as flat elements, and these."""
-        made: list[Element] = []
-        number = 0
-        for name in scope:
-            for surface, scene in scenes_of(name, site):
-                placed = self._kept(self._placed(scene, name, context), context, number)
-                new = tuple(self._elements(placed, surface, name, site))
-                site, number = site.with_elements(*new), number + 1
-                made += new
-        return Result(site, tuple(element.name for element in made))
+        """Return the site with what was placed, as flat elements, and these.
 
-    def _elements(
-        self, placed: Iterable[Placement], surface: str, name: str, site: Site
-    ) -> Iterator[Element]:
-        """Yield shapes as elements on a surface."""
+        Each scene is as it was before: what is placed in one does not stand in another's way.
+        """
+        from layoutkit_operations.standing import Standing
+
+        made: list[Element] = []
+        names: dict[str, Iterator[str]] = {}
         label = self.model.label if self.model is not None else ""
-        names = site.free_names(name if name in site.elements else surface, label or "Placed")
-        for shape in placed:
-            labels = (shape.label,) if shape.label else ()
-            yield Element(next(names), labels, surface, shape.points, shape.angle, parent=name)
+        seen = Standing(site).scenes if self._apart else Standing(site).surroundings
+        scenes = ((name, *own) for name in scope for own in seen(name))
+        for number, (name, surface, scene) in enumerate(scenes):
+            if name not in names:
+                names[name] = site.free_names(name, label or "Placed")
+            placed = self._placed(scene, name, context)
+            if not self._apart and (element := site.elements.get(name)) is not None and not element.solid:
+                placed = tuple(shape for shape in placed if inside((shape.x, shape.y), element.points))
+            for shape in self._kept(placed if self._apart else placed[: self.limit], context, number):
+                labels = (label,) if label else ()
+                own = Element(next(names[name]), labels, surface, shape.points, shape.angle, parent=name)
+                made.append(own)
+        return Result(site.with_elements(*made), tuple(element.name for element in made))
+
+    @property
+    def _apart(self) -> bool:
+        """Whether what is placed in an element is related only to what is inside it."""
+        return self.model is None or self.model.settings.hierarchy
 
     def _placed(self, scene: Scene, name: str, context: Context) -> tuple[Placement, ...]:
         """Return what is placed in a scene, the best first."""
@@ -83,7 +91,7 @@ class Place(Operation):
             "place",
             scene,
             model=self.model,
-            limit=self.limit,
+            limit=self.limit if self._apart else None,
             threshold=self.threshold,
             spacing=None if self._spacing == Spacing() else self._spacing,
         )
@@ -104,33 +112,3 @@ class Place(Operation):
 
     def _fault(self, message: str, hint: str) -> Diagnostic:
         return Diagnostic("LK882", f"<place>: {message}", self.place, hint, Severity.ERROR, "operations")
-
-
-def scenes_of(name: str, site: Site) -> Iterator[tuple[str, Scene]]:
-    """Yield the surfaces that a name stands for, with the scenes that shapes are placed in.
-
-    Of a flat element, that is the element and what overlaps it on its surface; of a solid, each of its sides;
-    of a surface, the surface.
-    """
-    element = site.elements.get(name)
-    if element is not None and not element.solid:
-        yield element.surface, _about(element, site)
-        return
-    for surface in site.surfaces_of(name):
-        if "Base" not in surface.labels or name in site.surfaces:
-            yield surface.name, site.scene(surface.name)
-
-
-def _about(element: Element, site: Site) -> Scene:
-    """Return an element, and what stands in it, as a scene."""
-    import shapely
-
-    from layoutkit.scenes.hierarchy import OVERLAP
-    from layoutkit.scenes.shapes import shapes
-
-    others = [other for other in site.on(element.surface) if other is not element]
-    own, *rest = shapes([element.polygon, *(other.polygon for other in others)])
-    inside = shapely.area(shapely.intersection(rest, own)) > OVERLAP * shapely.area(rest) if rest else []
-    smaller = shapely.area(rest) < shapely.area(own) if rest else []
-    kept = [other.polygon for other, a, b in zip(others, inside, smaller, strict=True) if a and b]
-    return Scene(site.name, site.units, (element.polygon, *kept))

@@ -44,13 +44,12 @@ class Vary(Operation):
     def apply(self, scope: Scope, site: Site, context: Context) -> Result:
         """Return the site with dressed surfaces, and these."""
         designs = [d for d in (self.facade, self.otherwise) if d is not None and d.facade is not None]
-        dressed: list[str] = []
+        dressed: list[Surface] = []
         for number, surface in enumerate(_surfaces(scope, site)):
             found = self._dressing(surface, designs, context.within(number))
             if found is not None:
-                site = site.with_surfaces(replace(surface, dressing=found))
-                dressed.append(surface.name)
-        return Result(site, tuple(dressed))
+                dressed.append(replace(surface, dressing=found))
+        return Result(site.with_surfaces(*dressed), tuple(surface.name for surface in dressed))
 
     def _dressing(self, surface: Surface, designs: list[Design], context: Context) -> Dressing | None:
         """Return the facade of a surface, of the first design that has a layout for it."""
