@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from facades.drafting.parks import APART, examples, park, pond_example
@@ -98,13 +98,27 @@ def _lawns(lawn: Step) -> None:
         "TreeRow",
         [(15.0, 2.6, 16.0, 2.4), (2.6, 12.0, 2.4, 10.0)],
         [(13.0, 2.6, 12.0, 2.4), (2.6, 14.0, 2.4, 14.0)],
-        _ANY_LENGTH,
-        Place(limit=2, threshold=0.15),
+        settings=_ANY_LENGTH,
+        like=Place(limit=2, threshold=0.15),
     )
-    behind = _put(lawn, "Hedge", [(12.8, 19.6, 24.8, 0.8)], [(8.8, 23.6, 16.8, 0.8)], _ANY_LENGTH, _ONE)
-    behind = behind.do(Shape(snap=1.6, height=0.8, up="top"))
-    beside = _put(lawn, "Hedge", [(25.6, 9.9, 0.8, 18.2)], [(21.6, 10.2, 0.8, 18.8)], _ANY_LENGTH, _ONE)
-    beside = beside.do(Shape(snap=1.6, width=0.8, across="right"))
+    behind = _put(
+        lawn,
+        "Hedge",
+        [(12.8, 19.6, 24.8, 0.8)],
+        [(8.8, 23.6, 16.8, 0.8)],
+        [(7.5, 16.6, 14.2, 0.8)],
+        settings=_ANY_LENGTH,
+        like=_ONE,
+    ).do(Shape(snap=0.8, height=0.8, up="top"))
+    beside = _put(
+        lawn,
+        "Hedge",
+        [(25.6, 9.9, 0.8, 18.2)],
+        [(21.6, 10.2, 0.8, 18.8)],
+        [(19.6, 6.2, 0.8, 11.2)],
+        settings=_ANY_LENGTH,
+        like=_ONE,
+    ).do(Shape(snap=0.8, width=0.8, across="right"))
     bench = _put(
         lawn,
         "Bench",
@@ -198,7 +212,12 @@ def _terraces(terrace: Step) -> None:
 def _walks(walk: Step) -> None:
     """Build a pergola over a walk: posts, beams along it, and rafters across."""
     bower = _put(
-        walk, "Pergola", [(7.0, 1.8, 12.0, 3.0)], [(9.0, 1.8, 16.0, 3.0)], _ANY_LENGTH, Place(limit=1)
+        walk,
+        "Pergola",
+        [(7.0, 1.8, 12.0, 3.0)],
+        [(9.0, 1.8, 16.0, 3.0)],
+        settings=_ANY_LENGTH,
+        like=Place(limit=1),
     )
     bower = bower.do(Shape(height=3.0))
     posts = Array(label="Post", each_width=0.2, each_height=0.2, gap_across=2.0, gap_up=2.0, margin=0.1)
@@ -221,17 +240,16 @@ def _part(whole: Step, label: str, *shapes: Shape) -> Step:
 def _put(
     where: Step,
     label: str,
-    first: Sequence[Box],
-    second: Sequence[Box],
+    *shown: Sequence[Box],
     settings: LearningSettings = _OWN_SIZE,
     like: Place = Place(),  # noqa: B008 - frozen
 ) -> Step:
-    """Place shapes as in the first and second example of a part: centres and sizes in its own coordinates."""
+    """Place shapes as in the first examples of a part: centres and sizes in coordinates of its own."""
     kind = where.output[0].rpartition("_")[0]
-    shown: Mapping[str, Sequence[Placement]] = {
+    examples = {
         f"{kind}_{number + 1}": [
             Placement(x + APART * number, y, width, height) for x, y, width, height in boxes
         ]
-        for number, boxes in enumerate((first, second))
+        for number, boxes in enumerate(shown)
     }
-    return where.place(label, shown, settings, like)
+    return where.place(label, examples, settings, like)

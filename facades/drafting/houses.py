@@ -55,8 +55,8 @@ def operations() -> Operations:
 def at_street() -> PlacementModel:
     """Return where houses stand on plots whose edge at the street is known."""
     front = ((0, ("Front",)),)
-    wide = Polygon("Plot", ((0, 0), (24, 0), (24, 30), (0, 30)), (PLOT,), edges=front)
-    narrow = Polygon("Plot", ((0, 0), (16, 0), (16, 28), (0, 28)), (PLOT,), edges=front)
+    wide = Polygon("Plot", ((0, 0), (24, 0), (24, 30), (0, 30)), (PLOT,), edges=front, angle=0.0)
+    narrow = Polygon("Plot", ((0, 0), (16, 0), (16, 28), (0, 28)), (PLOT,), edges=front, angle=0.0)
     askew = Polygon("Plot", ((0, 0), (19, 0), (21, 29), (-2, 27)), (PLOT,), edges=front, angle=0.0)
     shown = (
         Shown(wide, ((12, 9.5, 14, 9.5),)),
@@ -67,10 +67,13 @@ def at_street() -> PlacementModel:
 
 
 def anywhere() -> PlacementModel:
-    """Return where houses stand on plots of which no more is known than their outline."""
-    small = Polygon("Plot", ((0, 0), (11, 0), (11, 11), (0, 11)), (SURVEYED,))
-    large = Polygon("Plot", ((0, 0), (20, 0), (20, 22), (0, 22)), (SURVEYED,))
-    shown = (Shown(small, ((5.5, 5.5, 5, 5),)), Shown(large, ((10, 10.5, 10, 9),)))
+    """Return where houses stand on plots of which no more is known than their outline.
+
+    They face the longest edges, since a polygon that says nothing else is taken to run along these.
+    """
+    small = Polygon("Plot", ((0, 0), (11, 0), (11, 11), (0, 11)), (SURVEYED,), angle=0.0)
+    large = Polygon("Plot", ((0, 0), (22, 0), (22, 20), (0, 20)), (SURVEYED,), angle=0.0)
+    shown = (Shown(small, ((5.5, 5.5, 5, 5),)), Shown(large, ((11, 10, 10, 9),)))
     return learned("houses-anywhere", "House", shown, ROUGH)
 
 
@@ -79,7 +82,7 @@ def _planted(session: Recorder) -> None:
     house = Polygon.rectangle("House", 4, 5, 14, 14, ("House",))
     outline = ((0.0, 0.0), (18.0, 0.0), (18.0, 30.0), (0.0, 30.0))
     plots = (
-        Polygon("Plot", outline, (PLOT,), edges=((0, ("Front",)),)),
+        Polygon("Plot", outline, (PLOT,), edges=((0, ("Front",)),), angle=0.0),
         Polygon("Plot", outline, (SURVEYED,), angle=0.0),
     )
     for plot in plots:

@@ -19,11 +19,12 @@ Bed = tuple[float, float, float, float]
 
 
 def examples(label: str) -> Scene:
-    """Return two parts of a garden of a label, side by side, each upright."""
+    """Return parts of a garden of a label, side by side and upright: three lawns, or two of another kind."""
     parts = {
         "Lawn": (
             tuple(_quarter("Lawn_1", 26.0, 20.0, [(8.0, 8.5, 14.0, 11.5), (17.0, 8.5, 22.0, 11.5)])),
             tuple(_quarter("Lawn_2", 22.0, 24.0, [(8.0, 9.0, 12.0, 15.0)], 4.0)),
+            tuple(_quarter("Lawn_3", 20.0, 17.0, [(8.0, 8.0, 13.0, 11.0)], 5.0)),
         ),
         "Plaza": ((_plaza("Plaza_1"),), (_plaza("Plaza_2"),)),
         "Terrace": (

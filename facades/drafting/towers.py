@@ -99,8 +99,8 @@ def _stepped(podiums: Step) -> None:
 def _notched(podiums: Step) -> None:
     """Build a slab that a terrace is cut out of."""
     slabs = _upon(podiums, "Slab", [(0.5, 0.5, 0.78, 0.5)], _box(40.0, 0.3, STONE))
-    notches = _placed(slabs, "Notch", [(0.8, 0.3, 0.5, 0.7)])
-    notches.do(_box(-11.0, 0.3, STONE))
+    notches = _placed(slabs, "Notch", [(0.66, 0.34, 0.72, 0.72)])
+    notches.do(_box(-7.5, 0.2, STONE))
     notches.do(Boolean(action="difference"))
     slabs.select("Side").do(Vary(facade=_design("punched")))
 

@@ -1,4 +1,4 @@
-"""``layoutkit samples``: facades and scenes to begin with."""
+"""``layoutkit samples``: facades, scenes and pipelines to begin with."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from layoutkit.cli.session import Session
 from layoutkit.diagnostics import Diagnostic, Faulty, Place
 
 if TYPE_CHECKING:
-    from layoutkit.samples import Sample, SceneSample
+    from layoutkit.samples import PipelineSample, Sample, SceneSample
 
 EXAMPLES = """
 Examples:
@@ -24,6 +24,8 @@ Examples:
 - `layoutkit samples palace -o palace`
 
 - `layoutkit samples flowers`
+
+- `layoutkit samples houses -o houses`
 """
 
 
@@ -38,19 +40,21 @@ def samples(
     ] = None,
     as_json: Json = False,
 ) -> int:
-    """List the facades and scenes that come with the program, or copy one with all that belongs to it."""
+    """List what comes with the program, facades, scenes and pipelines, or copy one with all its files."""
     session = Session.of(context)
     if name is None:
         _list(as_json)
         return 0
-    from layoutkit.samples import Sample, find_sample
+    from layoutkit.samples import Sample, SceneSample, find_sample
 
     sample = find_sample(name)
     folder = output or Path(name)
     if isinstance(sample, Sample):
         written, tries = _copy_facade(session, sample, folder)
-    else:
+    elif isinstance(sample, SceneSample):
         written, tries = _copy_scenes(session, sample, folder)
+    else:
+        written, tries = _copy_pipeline(session, sample, folder)
     if as_json:
         console.emit({"document": str(written), "diagnostics": [d.as_dict() for d in session.diagnostics]})
         return 0
@@ -60,9 +64,13 @@ def samples(
 
 
 def _list(as_json: bool) -> None:
-    from layoutkit.samples import list_samples, list_scenes
+    from layoutkit.samples import list_pipelines, list_samples, list_scenes
 
-    found: list[Sample | SceneSample] = [*list_samples(), *list_scenes()]
+    found: list[Sample | SceneSample | PipelineSample] = [
+        *list_samples(),
+        *list_scenes(),
+        *list_pipelines(),
+    ]
     if as_json:
         console.emit({"samples": [{"name": s.name, "description": s.description} for s in found]})
         return
@@ -91,6 +99,21 @@ def _copy_scenes(session: Session, sample: SceneSample, folder: Path) -> tuple[P
     _copy(session, sample.examples.parent, folder, [sample.examples.name, sample.target.name])
     written, target = folder / sample.examples.name, folder / sample.target.name
     return written, [(written, f"layoutkit place {written} {target} -o placed.png")]
+
+
+def _copy_pipeline(
+    session: Session, sample: PipelineSample, folder: Path
+) -> tuple[Path, list[tuple[Path, str]]]:
+    """Copy operations, files that they name, and scenes; return where they are now, and what to try."""
+    from layoutkit.documents import read_operations
+
+    host = session.host
+    named = read_operations(sample.operations, host.operations, host.constraints).files
+    source = sample.operations.parent
+    scenes = [scene.relative_to(source).as_posix() for scene in sample.scenes]
+    _copy(session, source, folder, [*named, *scenes])
+    written = folder / sample.operations.name
+    return written, [(written, f"layoutkit replay {written} {folder / name} -o out") for name in scenes]
 
 
 def _copy(session: Session, source: Path, folder: Path, files: Sequence[str]) -> None:

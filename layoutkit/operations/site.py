@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 #: The name of the surface that a scene's polygons lie on.
 GROUND_NAME = "Ground"
+#: Edges that rise by less than this share of their surface's height are level.
+_LEVEL = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +128,11 @@ class Surface:
     element: str = ""
     solid: str = ""
     dressing: Dressing | None = None
+
+    @property
+    def upright(self) -> bool:
+        """Whether it is a wall."""
+        return self.frame.up == (0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -240,11 +247,18 @@ class Site:
     def scene(self, surface: str) -> Scene:
         """Return a surface as a scene: its outlines, the regions of its facade, and the elements on it.
 
-        Its own outlines have its labels, and are named as it is, further ones with numbers.
+        Its own outlines have the first of its labels, which says what it is, and are named as it is, further
+        ones with numbers. On what stands upright, their lowest and highest edges are labelled Foot and Head.
         """
         own = self.surfaces[surface]
         outlines = (
-            Polygon(surface if number == 1 else f"{surface}_{number}", points, own.labels, angle=0.0)
+            Polygon(
+                surface if number == 1 else f"{surface}_{number}",
+                points,
+                own.labels[:1],
+                edges=_feet_and_heads(points) if own.upright else (),
+                angle=0.0,
+            )
             for number, points in enumerate(own.outlines, 1)
         )
         elements = (element.polygon for element in self.on(surface))
@@ -262,6 +276,20 @@ def dressed_regions(surface: Surface) -> Iterator[Polygon]:
             x0, y0, x1, y1 = placed.box
             name = f"{surface.name}.{placed.path.partition('/')[2].replace('/', '.')}"
             yield Polygon.rectangle(name, x0 + x, y0 + y, x1 + x, y1 + y, placed.region.labels)
+
+
+def _feet_and_heads(points: tuple[Point, ...]) -> OwnLabels:
+    """Return labels of the level edges at the lower and the upper end of an outline."""
+    low, high = min(y for _, y in points), max(y for _, y in points)
+    near = _LEVEL * (high - low)
+    found = []
+    for number, (_, y) in enumerate(points):
+        after = points[(number + 1) % len(points)][1]
+        if max(y, after) - low <= near:
+            found.append((number, ("Foot",)))
+        elif high - min(y, after) <= near:
+            found.append((number, ("Head",)))
+    return tuple(found)
 
 
 def _runs_left(points: Iterable[Point]) -> bool:

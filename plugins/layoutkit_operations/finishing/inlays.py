@@ -97,15 +97,23 @@ def inlays_of(
     hidden = shapely.box(*box) if box is not None else shapely.Polygon()
     shapes = [(shapely.Polygon(element.points), element) for element in flat]
     for shape, element in sorted(shapes, key=lambda pair: float(pair[0].area)):
-        seen = shapely.difference(shapely.intersection(shape, whole, **grid), hidden, **grid)
+        inside = _area(shapely.intersection(shape, whole, **grid))
+        seen = _area(shapely.difference(inside, hidden, **grid))
         yield from (Inlay(part, frame, element) for part in _polygons(seen))
-        hidden = shapely.union(hidden, seen, **grid)
-    left = shapely.difference(whole, hidden, **grid)
+        hidden = _area(shapely.union(hidden, seen, **grid))
+    left = _area(shapely.difference(whole, hidden, **grid))
     yield from (Inlay(part, frame, None) for part in _polygons(left))
 
 
-def _polygons(shape: Any) -> list[Any]:
-    """Return the polygons that a shape is made of."""
+def _area(shape: Any) -> Any:
+    """Return the polygons of a shape as one, without the lines and points where others touched it."""
     import shapely
 
-    return [part for part in shapely.get_parts(shape) if shapely.area(part) > 0]
+    return shapely.MultiPolygon(_polygons(shape))
+
+
+def _polygons(shape: Any) -> list[Any]:
+    import shapely
+
+    parts = shapely.get_parts(shapely.get_parts(shape))
+    return [part for part in parts if shapely.area(part) > 0]

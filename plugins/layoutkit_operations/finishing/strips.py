@@ -65,11 +65,6 @@ class Dressed:
         root, x, y = self.layout.root, self.dressing.x, self.dressing.y
         return Box(x, y, x + root.width, y + root.height)
 
-    @property
-    def upright(self) -> bool:
-        """Whether it is a wall."""
-        return self.surface.frame.up == (0.0, 0.0, 1.0)
-
     def corner(self, x: float, y: float) -> Vector:
         """Return the point in space of a point of the surface."""
         return self.surface.frame.at(x, y)
@@ -234,7 +229,7 @@ def turned(one: Dressed, other: Dressed) -> float:
 
 def _goes_on(one: Dressed, other: Dressed, near: float) -> bool:
     """Tell whether the second wall begins where the first one ends."""
-    if not (one.upright and other.upright) or abs(turned(one, other)) > _SHARPEST:
+    if not (one.surface.upright and other.surface.upright) or abs(turned(one, other)) > _SHARPEST:
         return False
     ends = [one.corner(one.box.x1, y) for y in (one.box.y0, one.box.y1)]
     starts = [other.corner(other.box.x0, y) for y in (other.box.y0, other.box.y1)]

@@ -17,6 +17,8 @@ _ACTION = choice("action", "union", "difference")
 _WITH = choice("with", "surface", "intersecting")
 #: How deep what stands on a surface is let into it, lest rounding part them: as a share of its own size.
 _LET_IN = 1e-4
+#: Changes of a surface below this share of it are rounding.
+_SEEN = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,6 +109,12 @@ def _settled(site: Site, made: Solid, merged: Sequence[str], context: Context, b
         context.report(Diagnostic("LK884", message, by.place, hint, Severity.WARNING, "operations"))
         return None
     gone = {made.name, *merged}
+    before = [solid for name, solid in site.solids.items() if name in gone]
+    if (dressed := _disturbed(before, made, site)) is not None:
+        hint = "combine solids first, and lay facades out on what they come to"
+        message = f"{dressed} has a facade already, which would be cut: {made.name} stays as it is"
+        context.report(Diagnostic("LK884", message, by.place, hint, Severity.WARNING, "operations"))
+        return None
     seen = tuple(found_again(made, site.surfaces))
     surfaces = {n: s for n, s in site.surfaces.items() if s.solid not in gone}
     after = replace(
@@ -118,6 +126,18 @@ def _settled(site: Site, made: Solid, merged: Sequence[str], context: Context, b
     after = after.with_solids(_named(made, [surface.name for surface in seen])).with_surfaces(*seen)
     lost = {e.name for e in after.elements.values() if e.surface not in after.surfaces}
     return after.without(lost - {e.name for e in after.elements.values() if e.solid == made.name})
+
+
+def _disturbed(before: Sequence[Solid], made: Solid, site: Site) -> str | None:
+    """Return the name of a surface with a facade of which less, or more, can be seen than before."""
+    from layoutkit_operations.solids.surfaces import areas_of
+
+    after = areas_of(made)
+    for solid in before:
+        for name, own in areas_of(solid).items():
+            if site.surfaces[name].dressing is not None and abs(after.get(name, 0.0) - own) > _SEEN * own:
+                return name
+    return None
 
 
 def _named(made: Solid, kept: Sequence[str]) -> Solid:

@@ -70,6 +70,14 @@ def found_again(solid: Solid, surfaces: Mapping[str, Surface]) -> Iterator[Surfa
                 yield replace(own, outlines=outlines)
 
 
+def areas_of(solid: Solid) -> Mapping[str, float]:
+    """Return how much can be seen of each surface of a solid."""
+    corners = solid.points[solid.triangles]
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas = np.bincount(solid.surface, np.sqrt((cross * cross).sum(axis=1)) / 2, len(solid.surfaces))
+    return dict(zip(solid.surfaces, areas.tolist(), strict=True))
+
+
 def outlines_of(
     points: Array, triangles: Indices, frame: Frame, nothing: float
 ) -> Iterator[tuple[Point, ...]]:

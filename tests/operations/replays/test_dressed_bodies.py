@@ -122,6 +122,24 @@ def test_a_facade_fills_the_greatest_rectangle_of_a_side_that_is_none(stages, wa
     assert volume(body.points, body.triangles) == pytest.approx(12 * 8 * 8 + 4 * 4 * 5, rel=0.05)
 
 
+def test_solids_are_combined_before_facades_are_laid_out(stages, wall):
+    own, _ = Extrude(height=6).apply(("A",), site(box(0, 0, 12, 8)), context())
+    own, _ = dressed(own, "A", wall, stages)
+    own = on(own, "A.Side_1", "A.Bay", box(4, 1, 3, 3), ("Bay",))
+    own, _ = Extrude(height=1).apply(("A.Bay",), own, context())
+    told = context()
+    after, output = Boolean(action="union").apply(("A.Bay",), own, told)
+    assert output == ()
+    assert [d.code for d in told.told] == ["LK884"]
+    assert "A.Side_1 has a facade" in told.told[0].message
+    checked(after)
+    chimney = on(own, "A.Top_1", "A.Chimney", box(4, 4, 1, 1), ("Chimney",))
+    chimney, _ = Extrude(height=1).apply(("A.Chimney",), chimney, context())
+    after, _ = Boolean(action="union").apply(("A.Chimney",), chimney, context())
+    assert list(after.solids) == ["A", "A.Bay"]
+    assert checked(after).openings
+
+
 def test_a_wall_without_a_layout_stays_bare_and_is_told(stages, wall):
     own, _ = Extrude(height=1.2).apply(("A",), site(box(0, 0, 8, 6)), context())
     own, told = dressed(own, "A", wall, stages, "Front")
