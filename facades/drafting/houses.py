@@ -164,10 +164,7 @@ def _winged(houses: Step) -> None:
         )
     )
     wings.do(Extrude(height=3.0, random=0.03, material="brick", colour=BRICK, roof_colour=TAR))
-    cores.do(Boolean(action="union", with_="intersecting"))
-    _dressed(cores, "brick")
-    _dressed(wings, "brick")
-    houses.do(Delete())
+    _joined(houses, "brick")
 
 
 def _modern(houses: Step) -> None:
@@ -179,9 +176,13 @@ def _modern(houses: Step) -> None:
     wings = houses.do(Place(model=wing, limit=1, threshold=0.0))
     cores.do(Extrude(height=6.4, random=0.04, material="render", colour=WHITE, roof_colour=TAR))
     wings.do(Extrude(height=3.2, random=0.03, material="render", colour=WHITE, roof_colour=TAR))
-    cores.do(Boolean(action="union", with_="intersecting"))
-    _dressed(cores, "modern")
-    _dressed(wings, "modern")
+    _joined(houses, "modern")
+
+
+def _joined(houses: Step, style: str) -> None:
+    """Make cores and wings one, and take away the outlines that they were placed in."""
+    houses.select("Core").do(Boolean(action="union", with_="intersecting"))
+    _dressed(houses.select("Core", "Wing"), style)
     houses.do(Delete())
 
 

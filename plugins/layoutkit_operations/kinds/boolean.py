@@ -119,7 +119,7 @@ def _settled(site: Site, made: Solid, merged: Sequence[str], context: Context, b
     surfaces = {n: s for n, s in site.surfaces.items() if s.solid not in gone}
     after = replace(
         site,
-        solids={n: s for n, s in site.solids.items() if n not in gone},
+        solids={n: s for n, s in site.solids.items() if n not in merged},
         surfaces=surfaces,
         elements={n: replace(e, solid=made.name) if e.solid in gone else e for n, e in site.elements.items()},
     )
