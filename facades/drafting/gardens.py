@@ -9,7 +9,13 @@ from facades.drafting.parks import APART, examples, park, pond_example
 from layoutkit.model import LearningSettings, Placement, Scene
 from layoutkit.operations import Operations
 from layoutkit.operations.attributes import Colour
-from layoutkit_operations.kinds import Array, Boolean, Delete, Extrude, Place, Shape, Vary
+from layoutkit_operations.kinds.array import Array
+from layoutkit_operations.kinds.boolean import Boolean
+from layoutkit_operations.kinds.delete import Delete
+from layoutkit_operations.kinds.extrude import Extrude
+from layoutkit_operations.kinds.place import Place
+from layoutkit_operations.kinds.shape import Shape
+from layoutkit_operations.kinds.vary import Vary
 from layoutkit_operations.recording import Recorder, Step, design
 
 _FOLDER = Path(__file__).parents[1] / "park"

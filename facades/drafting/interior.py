@@ -6,10 +6,14 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Literal
 
-from facades.drafting.rooms import examples, floor, origin
+from facades.drafting.rooms import APART, examples, floor
 from layoutkit.model import LearningSettings, Placement, Scene
 from layoutkit.operations import Operations
-from layoutkit_operations.kinds import Array, Extrude, Place, Select, Shape, Vary
+from layoutkit_operations.kinds.array import Array
+from layoutkit_operations.kinds.extrude import Extrude
+from layoutkit_operations.kinds.place import Place
+from layoutkit_operations.kinds.shape import Shape
+from layoutkit_operations.kinds.vary import Vary
 from layoutkit_operations.recording import Recorder, Step, design
 
 _FOLDER = Path(__file__).parents[1] / "flat"
@@ -25,8 +29,8 @@ _COVERS = ((132, 146, 156), (196, 178, 156))
 _ANY_LENGTH = LearningSettings(area_tolerance=0.0, shape_tolerance=0.0)
 _OWN_SIZE = LearningSettings()
 _CROSSING = LearningSettings(crossing=True)
-#: One in each room; the latter even where rooms are little like the examples.
-_ONE, _SURELY = Place(limit=1), Place(limit=1, threshold=0.12)
+#: One in each room, even where rooms are little like the examples.
+_ONE = Place(limit=1, threshold=0.12)
 
 #: Centre and size of a box.
 Box = tuple[float, float, float, float]
@@ -61,11 +65,14 @@ def _session(label: str, furnish: Callable[[Step], Iterator[Builder]]) -> Record
 
 
 def _kitchens(kitchen: Step) -> Iterator[Builder]:
-    fridge = _put(kitchen, "Fridge", [(3.7, 2.875, 0.6, 0.65)], [(0.3, 3.475, 0.6, 0.65)], like=_ONE)
+    fridge = _put(
+        kitchen, "Fridge", [(3.7, 2.875, 0.6, 0.65)], [(0.3, 3.475, 0.6, 0.65)], [(0.3, 2.775, 0.6, 0.65)]
+    )
     fridge = fridge.do(Shape(snap=0.25, width=0.6, height=0.65, up="top"))
-    row = _put(kitchen, "Counter", [(1.7, 2.9, 3.4, 0.6)], [(2.6, 3.5, 4.0, 0.6)], _ANY_LENGTH, _ONE)
+    counters = [(1.7, 2.9, 3.4, 0.6)], [(2.6, 3.5, 4.0, 0.6)], [(2.1, 2.8, 3.0, 0.6)]
+    row = _put(kitchen, "Counter", *counters, settings=_ANY_LENGTH)
     row = row.do(Shape(snap=0.3, height=0.6, up="top"))
-    dining = _put(kitchen, "Dining", [(1.6, 1.15, 1.3, 1.7)], [(2.7, 1.4, 1.3, 1.7)], like=_ONE)
+    dining = _put(kitchen, "Dining", [(1.6, 1.15, 1.3, 1.7)], [(2.7, 1.4, 1.3, 1.7)])
     dining = dining.do(Shape(width=1.3, height=1.75))
     yield lambda: _dining(dining, 1.3)
     sink, hob = _let_in(row)
@@ -77,10 +84,9 @@ def _kitchens(kitchen: Step) -> Iterator[Builder]:
 
 def _let_in(row: Step) -> tuple[Step, Step]:
     """Place what is let into the top of a counter: a sink, and a hob."""
-    shown = _in("Kitchen", [(1.0, 2.88, 0.8, 0.45)], [(3.6, 3.48, 0.8, 0.45)], "Counter_1")
-    sink = row.place("Sink", shown, like=_ONE).do(Shape(width=0.8, height=0.46))
-    shown = _in("Kitchen", [(2.5, 2.9, 0.6, 0.5)], [(1.9, 3.5, 0.6, 0.5)], "Counter_1")
-    return sink, row.place("Hob", shown, like=_ONE).do(Shape(width=0.58, height=0.5))
+    sink = _put(row, "Sink", [(1.0, 2.88, 0.8, 0.45)], [(3.6, 3.48, 0.8, 0.45)], [(2.8, 2.78, 0.8, 0.45)])
+    hob = _put(row, "Hob", [(2.5, 2.9, 0.6, 0.5)], [(1.9, 3.5, 0.6, 0.5)], [(1.5, 2.8, 0.6, 0.5)])
+    return sink.do(Shape(width=0.8, height=0.46)), hob.do(Shape(width=0.58, height=0.5))
 
 
 def _sink(sink: Step) -> None:
@@ -137,17 +143,17 @@ def _legs(top: Step, height: float, across: float, up: float) -> None:
 
 
 def _bedrooms(bedroom: Step) -> Iterator[Builder]:
-    bed = _put(bedroom, "Bed", [(2.1, 2.8, 1.6, 2.0)], [(2.3, 2.6, 1.6, 2.0)], like=_ONE)
+    bed = _put(bedroom, "Bed", [(2.1, 2.8, 1.6, 2.0)], [(2.3, 2.6, 1.6, 2.0)])
     bed = bed.do(Shape(snap=0.2, width=1.6, height=2.0, up="top"))
     left, right = (
         [(1.025, 3.6, 0.45, 0.4), (3.175, 3.6, 0.45, 0.4)],
         [(1.225, 3.4, 0.45, 0.4), (3.375, 3.4, 0.45, 0.4)],
     )
-    tables = _put(bedroom, "NightTable", left, right, like=Place(limit=2))
+    tables = _put(bedroom, "NightTable", left, right, like=Place(limit=2, threshold=0.12))
     tables = tables.do(Shape(snap=0.12, width=0.45, height=0.4, up="top"))
-    wardrobe = _put(bedroom, "Wardrobe", [(3.1, 0.3, 2.2, 0.6)], [(1.1, 0.3, 2.2, 0.6)], like=_ONE)
+    wardrobe = _put(bedroom, "Wardrobe", [(3.1, 0.3, 2.2, 0.6)], [(1.1, 0.3, 2.2, 0.6)])
     wardrobe = wardrobe.do(Shape(snap=0.25, height=0.6, up="bottom"))
-    rug = _put(bedroom, "Rug", [(2.1, 2.0, 2.6, 1.5)], [(2.3, 1.8, 2.6, 1.5)], _CROSSING, _SURELY)
+    rug = _put(bedroom, "Rug", [(2.1, 2.0, 2.6, 1.5)], [(2.3, 1.8, 2.6, 1.5)], settings=_CROSSING)
     yield lambda: _rugs(rug)
     yield lambda: _beds(bed)
     yield lambda: _night_tables(tables)
@@ -181,18 +187,18 @@ def _wardrobes(wardrobe: Step) -> None:
 
 
 def _living_rooms(room: Step) -> Iterator[Builder]:
-    sofa = _put(room, "Sofa", [(3.7, 3.75, 2.2, 0.9)], [(4.4, 3.95, 2.2, 0.9)], like=_ONE)
+    sofa = _put(room, "Sofa", [(3.7, 3.75, 2.2, 0.9)], [(4.4, 3.95, 2.2, 0.9)])
     sofa = sofa.do(Shape(snap=0.2, width=2.2, height=0.9, up="top"))
-    low = _put(room, "CoffeeTable", [(3.7, 2.55, 1.1, 0.6)], [(4.4, 2.75, 1.1, 0.6)], like=_ONE)
+    low = _put(room, "CoffeeTable", [(3.7, 2.55, 1.1, 0.6)], [(4.4, 2.75, 1.1, 0.6)])
     low = low.do(Shape(width=1.1, height=0.6))
-    bench = _put(room, "Bench", [(3.7, 0.2, 1.8, 0.4)], [(4.4, 0.2, 1.8, 0.4)], like=_ONE)
+    bench = _put(room, "Bench", [(3.7, 0.2, 1.8, 0.4)], [(4.4, 0.2, 1.8, 0.4)])
     bench = bench.do(Shape(snap=0.25, width=1.8, height=0.4, up="bottom"))
-    shelf = _put(room, "Bookshelf", [(5.42, 2.4, 0.36, 1.8)], [(6.42, 2.5, 0.36, 1.8)], like=_ONE)
+    shelf = _put(room, "Bookshelf", [(5.42, 2.4, 0.36, 1.8)], [(6.42, 2.5, 0.36, 1.8)])
     shelf = shelf.do(Shape(snap=0.2, width=0.36, across="right"))
-    dining = _put(room, "Dining", [(1.2, 2.3, 1.7, 1.75)], [(1.5, 2.5, 1.7, 1.75)], like=_ONE)
+    dining = _put(room, "Dining", [(1.2, 2.3, 1.7, 1.75)], [(1.5, 2.5, 1.7, 1.75)])
     dining = dining.do(Shape(width=1.7, height=1.75))
-    plant = _put(room, "Plant", [(0.35, 3.85, 0.45, 0.45)], [(0.35, 4.05, 0.45, 0.45)], like=_ONE)
-    rug = _put(room, "Rug", [(3.7, 2.6, 2.8, 1.9)], [(4.4, 2.8, 2.8, 1.9)], _CROSSING, _SURELY)
+    plant = _put(room, "Plant", [(0.35, 3.85, 0.45, 0.45)], [(0.35, 4.05, 0.45, 0.45)])
+    rug = _put(room, "Rug", [(3.7, 2.6, 2.8, 1.9)], [(4.4, 2.8, 2.8, 1.9)], settings=_CROSSING)
     yield lambda: _dining(dining, 1.7)
     yield lambda: _rugs(rug)
     yield lambda: _sofas(sofa)
@@ -259,23 +265,17 @@ def _part(whole: Step, label: str, *shapes: Shape) -> Step:
 def _put(
     room: Step,
     label: str,
-    first: Sequence[Box],
-    second: Sequence[Box],
+    *shown: Sequence[Box],
     settings: LearningSettings = _OWN_SIZE,
-    like: Place = Place(),  # noqa: B008 - frozen
+    like: Place = _ONE,
 ) -> Step:
-    """Place shapes as in the first and second example room of a kind: centres and sizes in the room's own."""
-    kind = room.draft.operation
-    assert isinstance(kind, Select)
-    return room.place(label, _in(kind.labels[0], first, second), settings, like)
+    """Place shapes as in the example rooms of a kind: centres and sizes in each room's own coordinates."""
+    return room.place(label, _in(room, shown), settings, like)
 
 
-def _in(kind: str, first: Sequence[Box], second: Sequence[Box], part: str = "") -> dict[str, list[Placement]]:
-    """Return examples by the names of the rooms of a kind, or of something in them."""
-    stem, number = {"Kitchen": ("Kitchen", 0), "Bedroom": ("Bedroom", 2), "LivingRoom": ("Living", 4)}[kind]
-    shown = {}
-    for index, boxes in enumerate((first, second)):
-        x, y = origin(number + index)
-        name = f"{stem}_{index + 1}" + (f".{part}" if part else "")
-        shown[name] = [Placement(x + u, y + v, width, height) for u, v, width, height in boxes]
-    return shown
+def _in(where: Step, shown: Sequence[Sequence[Box]]) -> dict[str, list[Placement]]:
+    """Return examples by the names of rooms, or of what there is in each of them."""
+    return {
+        name: [Placement(x + APART * number, y, width, height) for x, y, width, height in boxes]
+        for number, (name, boxes) in enumerate(zip(where.output, shown, strict=False))
+    }

@@ -46,10 +46,24 @@ def park() -> Scene:
     """Return a garden: four quarters of different sizes, a pond, paths, a terrace and two walks."""
     west, east, south, north = 24.0, 30.0, 19.0, 23.0
     quarters = (
-        (_quarter("North_East", east - HALF, north - HALF, [(9, 9, 15, 12), (18, 9, 23, 12)], 5.0), 0),
-        (_quarter("North_West", north - HALF, west - HALF, [(8, 9, 12, 16)]), 90),
-        (_quarter("South_West", west - HALF, south - HALF, [(8, 8, 14, 11)], 4.0), 180),
-        (_quarter("South_East", south - HALF, east - HALF, [(8, 9, 11, 15), (8, 18, 11, 24)]), 270),
+        (
+            _quarter(
+                "North_East",
+                east - HALF,
+                north - HALF,
+                [(9.0, 9.0, 15.0, 12.0), (18.0, 9.0, 23.0, 12.0)],
+                5.0,
+            ),
+            0,
+        ),
+        (_quarter("North_West", north - HALF, west - HALF, [(8.0, 9.0, 12.0, 16.0)]), 90),
+        (_quarter("South_West", west - HALF, south - HALF, [(8.0, 8.0, 14.0, 11.0)], 4.0), 180),
+        (
+            _quarter(
+                "South_East", south - HALF, east - HALF, [(8.0, 9.0, 11.0, 15.0), (8.0, 18.0, 11.0, 24.0)]
+            ),
+            270,
+        ),
     )
     lawns = (_moved(polygon, *_corner(angle), angle) for quarter, angle in quarters for polygon in quarter)
     reach = HALF + CUT
@@ -102,8 +116,8 @@ def _quarter(
         edges.insert(2, "Border")
     labels = tuple((number, (label,)) for number, label in enumerate(edges))
     yield Polygon(name, tuple(points), ("Lawn",), labels, angle=0.0)
-    for number, bed in enumerate(beds, 1):
-        yield Polygon.rectangle(f"{name}_Bed_{number}", *map(float, bed), ("Bed",))
+    for number, (x0, y0, x1, y1) in enumerate(beds, 1):
+        yield Polygon.rectangle(f"{name}_Bed_{number}", x0, y0, x1, y1, ("Bed",))
 
 
 def _plaza(name: str) -> Polygon:

@@ -1,4 +1,4 @@
-"""Rooms to be furnished: two of each kind as examples, and a floor of two flats, both without furniture."""
+"""Rooms to be furnished: some of each kind as examples, and a floor of two flats, all without furniture."""
 
 from __future__ import annotations
 
@@ -7,35 +7,32 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from layoutkit.model import Polygon, Scene
-from layoutkit.model.face import Point
 
 #: Width of a door, and so of what it sweeps.
 DOOR = 0.9
 #: Thickness of walls.
 WALL = 0.2
+#: How far the example rooms are from each other.
+APART = 8.0
 
 #: Where an opening begins and ends along its wall, and what it is.
 Gap = tuple[float, float, str]
 
 
 def examples(label: str) -> Scene:
-    """Return two rooms of a label, upright: kitchens, bedrooms or living rooms; each kind has a row."""
+    """Return rooms of a label side by side and upright: three kitchens, two bedrooms or living rooms."""
     rooms = (
         (*_room("Kitchen_1", "Kitchen", 4.0, 3.2, window=3), _swing("Door_1", 4.0 - DOOR, 0.2)),
         (*_room("Kitchen_2", "Kitchen", 4.6, 3.8, window=1), _swing("Door_2", 0.0, 0.2)),
+        (*_room("Kitchen_3", "Kitchen", 3.6, 3.1, window=1), _swing("Door_7", 0.0, 0.2)),
         (*_room("Bedroom_1", "Bedroom", 4.2, 3.8, window=1), _swing("Door_3", 0.0, 0.2)),
         (*_room("Bedroom_2", "Bedroom", 4.6, 3.6, window=3), _swing("Door_4", 4.6 - DOOR, 0.3)),
         (*_room("Living_1", "LivingRoom", 5.6, 4.2, window=2), _swing("Door_5", 0.2, 0.0)),
         (*_room("Living_2", "LivingRoom", 6.6, 4.4, window=2), _swing("Door_6", 0.3, 0.0)),
     )
-    numbers = [number for number, (room, *_) in enumerate(rooms) if room.labels == (label,)]
-    moved = (_moved(polygon, *origin(number)) for number in numbers for polygon in rooms[number])
+    shown = (room for room in rooms if room[0].labels == (label,))
+    moved = (_moved(polygon, APART * number, 0.0) for number, room in enumerate(shown) for polygon in room)
     return Scene("rooms", "m", tuple(moved))
-
-
-def origin(number: int) -> Point:
-    """Return where the lower left corner of an example room is."""
-    return 8.0 * (number % 2), 6.0 * (number // 2)
 
 
 def floor() -> Scene:

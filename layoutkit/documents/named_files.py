@@ -1,7 +1,8 @@
-"""Facades and sessions that another document names, each read once."""
+"""Facades, sessions and meshes that another document names, each read once."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,7 +17,10 @@ from layoutkit.documents.sessions import read_session
 from layoutkit.documents.source import Source
 from layoutkit.documents.tree import Element
 from layoutkit.model import Facade
-from layoutkit.operations import Design, Steps
+from layoutkit.operations import Asset, Design, Named, Steps
+
+#: What users call what a file is.
+_WHAT: Mapping[type[Named], str] = {Design: "facade", Steps: "session", Asset: "mesh"}
 
 
 @dataclass(frozen=True)
@@ -46,9 +50,9 @@ class NamedFiles:
     def __init__(self, files: Files, folder: Path, constraints: Kinds, reading: Reading) -> None:
         self._files, self._folder = files, folder
         self._constraints, self._reading = constraints, reading
-        self._known: dict[tuple[type, str], Design | Steps | _Unusable] = {}
+        self._known: dict[tuple[type, str], Named | _Unusable] = {}
 
-    def read(self, named: Design | Steps, element: Element) -> Design | Steps | None:
+    def read(self, named: Named, element: Element) -> Named | None:
         """Return what is in a file; None if it cannot be used, which is recorded at the element."""
         key = type(named), named.file
         if key not in self._known:
@@ -59,8 +63,8 @@ class NamedFiles:
         self._reading.fault(found.code, found.message, element, found.hint, topic="operations")
         return None
 
-    def _look(self, named: Design | Steps) -> Design | Steps | _Unusable:
-        what = "facade" if isinstance(named, Design) else "session"
+    def _look(self, named: Named) -> Named | _Unusable:
+        what = _WHAT[type(named)]
         path = self._folder / named.file
         shown = f"the {what} {named.file!r}"
         try:
@@ -70,6 +74,8 @@ class NamedFiles:
                 return _Unusable("LK880", f"{shown} is not there", hint)
             if isinstance(named, Design):
                 return self._design(named.file, source)
+            if isinstance(named, Asset):
+                return Asset(named.file, source.whole())
             return self._steps(named.file, source)
         except Faulty as faulty:
             self._reading.diagnostics += faulty.diagnostics

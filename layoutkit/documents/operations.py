@@ -19,7 +19,7 @@ from layoutkit.documents.reading import Reading
 from layoutkit.documents.roots import is_rooted, opened
 from layoutkit.documents.source import Source
 from layoutkit.documents.tree import Element
-from layoutkit.operations import Branch, Design, Node, Operation, Operations, Steps
+from layoutkit.operations import Branch, Named, Node, Operation, Operations
 
 #: Reads what operations hold, by the name of its element.
 _HELD: Mapping[str, Callable[[Element, Reading], Any]] = {"placement-model": placement_model_of}
@@ -192,7 +192,7 @@ class _Reader:
 
     def _with_files(self, fields: Mapping[str, Any], element: Element) -> dict[str, Any] | None:
         """Return values with what is in the files that they name; None if one cannot be read."""
-        named = {name: value for name, value in fields.items() if isinstance(value, Design | Steps)}
+        named = {name: value for name, value in fields.items() if isinstance(value, Named)}
         read = {name: self._named.read(value, element) for name, value in named.items()}
         return None if None in read.values() else {**fields, **read}
 

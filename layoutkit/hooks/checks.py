@@ -59,7 +59,7 @@ def operation_fault(item: object) -> str:
 def _field_fault(kind: type[Operation]) -> str:
     """Say which field of a kind of operation is not declared as documents need it; empty if each is."""
     from layoutkit.documents.operation_grammar import HELD_ELEMENTS
-    from layoutkit.operations import Design, Steps
+    from layoutkit.operations import Named
     from layoutkit.operations.attributes import HELD
 
     declared, free = {a.field_name for a in kind.attributes()} | {"place"}, set(HELD_ELEMENTS)
@@ -70,7 +70,7 @@ def _field_fault(kind: type[Operation]) -> str:
         if element is not None and element not in free:
             known = ", ".join(HELD_ELEMENTS)
             return f"{who} is held as {element!r}: each of {known} may be held once, and nothing else"
-        if isinstance(own.default, Design | Steps):
+        if isinstance(own.default, Named):
             return f"{who} has a file for its default: files are named in documents"
         free.discard(element)
     return ""

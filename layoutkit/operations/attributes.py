@@ -7,7 +7,7 @@ from dataclasses import field
 from typing import Any
 
 from layoutkit.constraints.attributes import AttributeType
-from layoutkit.operations.resources import Design, Steps
+from layoutkit.operations.resources import Asset, Design, Steps
 
 Colour = tuple[int, int, int]
 
@@ -39,6 +39,8 @@ def _file(text: str) -> str:
 DESIGN = AttributeType("facade file", lambda text: Design(_file(text)), str)
 #: A session's document, which is read with the operations.
 STEPS = AttributeType("session file", lambda text: Steps(_file(text)), str)
+#: A mesh that others modelled, which is read with the operations.
+ASSET = AttributeType("mesh file", lambda text: Asset(_file(text)), str)
 COLOUR = AttributeType("colour", _colour, _colour_text, pattern=r"\s*#[0-9A-Fa-f]{6}\s*")
 
 

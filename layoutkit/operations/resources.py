@@ -1,4 +1,4 @@
-"""What operations hold that lies in files of its own: facades with their pictures, and sessions of edits."""
+"""What operations hold that lies in files of its own: facades with pictures, sessions of edits, meshes."""
 
 from __future__ import annotations
 
@@ -47,3 +47,26 @@ class Steps:
 
     def __str__(self) -> str:
         return self.file
+
+
+@dataclass(frozen=True)
+class Asset:
+    """A mesh that others modelled, as an operation holds it.
+
+    Attributes
+    ----------
+    file
+        Relative to the document of the operations; its suffix says how it is read.
+    data
+        What is in it; None where it was not read.
+    """
+
+    file: str
+    data: bytes | None = field(default=None, repr=False)
+
+    def __str__(self) -> str:
+        return self.file
+
+
+#: What is named by a file in documents, and read with them.
+Named = Design | Steps | Asset

@@ -136,6 +136,28 @@ class Surface:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Looks:
+    """What a mesh that others modelled looks like.
+
+    Attributes
+    ----------
+    skin
+        Shape (triangles,): of which of the skins each triangle is.
+    shares
+        Shape (triangles, 3, 2): where in its picture each corner is.
+    skins
+        What these numbers stand for.
+    pictures
+        Pictures of skins as files, by key.
+    """
+
+    skin: NDArray[np.int64]
+    shares: NDArray[np.float64]
+    skins: tuple[Skin, ...]
+    pictures: Mapping[str, bytes] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Solid:
     """A mesh whose triangles are of surfaces.
 
@@ -153,6 +175,8 @@ class Solid:
         Their names.
     closed
         Whether it encloses a volume.
+    looks
+        What it looks like, if that is not what its surfaces say.
     """
 
     name: str
@@ -161,6 +185,7 @@ class Solid:
     surface: NDArray[np.int64]
     surfaces: tuple[str, ...]
     closed: bool = True
+    looks: Looks | None = None
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ import numpy as np
 from layoutkit.model import Body, BodySurface, Box, Frame, Opening, Skin
 from layoutkit.model.face import Point
 from layoutkit.model.outline import area
-from layoutkit.operations import Element, Site, Solid, Surface
+from layoutkit.operations import Element, Looks, Site, Solid, Surface
 from layoutkit.pictures.palette import PLAIN, colour_of_labels
 from layoutkit_operations.finishing.conforming import Key, on_edges, snapped, with_points
 from layoutkit_operations.finishing.dressing import OPENINGS, Photos, dressed, openings_of
@@ -26,6 +26,8 @@ _NEAR = 1e-7
 
 def body_of(solid: Solid, site: Site, photos: Photos) -> Body:
     """Return a solid with the facades on its surfaces, in the world's coordinates."""
+    if solid.looks is not None:
+        return _modelled(solid, solid.looks, site)
     return _Building(solid, site, photos).body()
 
 
@@ -125,20 +127,43 @@ class _Building:
             whole.opening[sound],
             whole.skin[sound],
             whole.shares[sound],
-            tuple(self._told(surface) for surface in self._surfaces),
+            tuple(_told(surface, self._site) for surface in self._surfaces),
             tuple(self._openings),
             tuple(self._skins),
             self._solid.closed,
         )
 
-    def _told(self, surface: Surface) -> BodySurface:
-        x, y, z = self._site.origin
-        a, b, c = surface.frame.origin
-        frame = replace(surface.frame, origin=(a + x, b + y, c + z))
-        return BodySurface(surface.name, surface.labels, frame, surface.outlines)
-
     def _skin(self, skin: Skin) -> int:
         return self._skins.setdefault(skin, len(self._skins))
+
+
+def _modelled(solid: Solid, looks: Looks, site: Site) -> Body:
+    """Return a mesh that others modelled."""
+    element = site.elements[solid.name]
+    return Body(
+        solid.name,
+        element.labels,
+        standing_on(element, site),
+        site.origin,
+        solid.points,
+        solid.triangles,
+        solid.surface,
+        np.full(len(solid.triangles), NONE),
+        looks.skin,
+        looks.shares,
+        tuple(_told(site.surfaces[name], site) for name in solid.surfaces),
+        (),
+        looks.skins,
+        solid.closed,
+    )
+
+
+def _told(surface: Surface, site: Site) -> BodySurface:
+    """Return a surface in the world's coordinates."""
+    x, y, z = site.origin
+    a, b, c = surface.frame.origin
+    frame = replace(surface.frame, origin=(a + x, b + y, c + z))
+    return BodySurface(surface.name, surface.labels, frame, surface.outlines)
 
 
 def standing_on(element: Element, site: Site) -> str:

@@ -96,13 +96,30 @@ def inlays_of(
     whole = shapely.union_all(shapely.polygons(corners), **grid)
     hidden = shapely.box(*box) if box is not None else shapely.Polygon()
     shapes = [(shapely.Polygon(element.points), element) for element in flat]
+    known = np.concatenate([corners.reshape(-1, 2), *(shapely.get_coordinates(s) for s, _ in shapes)])
+    known = np.concatenate([known, shapely.get_coordinates(hidden)])
     for shape, element in sorted(shapes, key=lambda pair: float(pair[0].area)):
         inside = _area(shapely.intersection(shape, whole, **grid))
         seen = _area(shapely.difference(inside, hidden, **grid))
-        yield from (Inlay(part, frame, element) for part in _polygons(seen))
+        yield from (Inlay(_exact(part, known, near), frame, element) for part in _polygons(seen))
         hidden = _area(shapely.union(hidden, seen, **grid))
     left = _area(shapely.difference(whole, hidden, **grid))
-    yield from (Inlay(part, frame, None) for part in _polygons(left))
+    yield from (Inlay(_exact(part, known, near), frame, None) for part in _polygons(left))
+
+
+def _exact(shape: Any, known: Array, near: float) -> Any:
+    """Return a shape whose corners are where they were before they were rounded, more than once maybe."""
+    import shapely
+    from scipy.spatial import cKDTree
+
+    tree = cKDTree(known)
+
+    def _back(points: Array) -> Array:
+        apart, which = tree.query(points)
+        found: Array = np.where((apart <= 2 * near)[:, None], known[which], points)
+        return found
+
+    return shapely.remove_repeated_points(shapely.transform(shape, _back))
 
 
 def _area(shape: Any) -> Any:

@@ -33,5 +33,9 @@ def world_of(scene: Scene, sites: Sequence[Site], photos: Photos) -> World:
                 flat[element.name] = element.polygon
     around = [p for p in scene.settled().polygons if p.name not in flat and p.name not in built]
     shown = {skin.picture for body in bodies for skin in body.skins}
-    pictures = {file: data for file, data in photos.files().items() if file in shown}
+    known = dict(photos.files())
+    for site in sites:
+        for solid in site.solids.values():
+            known |= solid.looks.pictures if solid.looks is not None else {}
+    pictures = {file: data for file, data in known.items() if file in shown}
     return World(scene.name, scene.units, (*around, *flat.values()), bodies, pictures)

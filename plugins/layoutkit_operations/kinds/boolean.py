@@ -49,8 +49,9 @@ class Boolean(Operation):
                 if element is None or solid is None:
                     self._remark(context, f"{name} is no solid", "extrude it first")
                 continue  # else it was merged before
-            if not solid.closed:
-                self._remark(context, f"{name} is open at its end", 'extrude it with a cap, not cap="none"')
+            if not solid.closed or solid.looks is not None:
+                what = "is a mesh from a file" if solid.looks is not None else "is open at its end"
+                self._remark(context, f"{name} {what}", "combine what was extruded, with a cap")
                 continue
             combined = self._with_surface if self.with_ == "surface" else self._with_intersecting
             if (after := combined(element, solid, site, context)) is not None:
@@ -62,7 +63,7 @@ class Boolean(Operation):
 
         under = site.surfaces[element.surface]
         whole = site.solids.get(under.solid)
-        if whole is None or not whole.closed:
+        if whole is None or not whole.closed or whole.looks is not None:
             hint = "place it on a surface of a closed solid, or combine it with what intersects it"
             self._remark(context, f"{element.name} stands on {under.name}, which is of no closed solid", hint)
             return None
@@ -74,8 +75,8 @@ class Boolean(Operation):
         from layoutkit_operations.solids.booleans import meet, subtracted, united
 
         beside = dict.fromkeys(e.solid for e in site.on(element.surface) if e.solid not in ("", solid.name))
-        others = [site.solids[name] for name in beside if site.solids[name].closed]
-        others = [other for other in others if meet(solid, other)]
+        others = [site.solids[name] for name in beside]
+        others = [o for o in others if o.closed and o.looks is None and meet(solid, o)]
         if not others:
             return site
         if self.action == "difference":

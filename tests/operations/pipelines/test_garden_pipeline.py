@@ -5,9 +5,13 @@ from itertools import combinations
 
 import pytest
 import shapely
+from PIL import Image
 from pipeline_replays import documents_of, overlap, placed, replayed
 
 from facades.draft import pipeline_files
+from facades.draw import designs
+from facades.painting.canvas import paint
+from layoutkit.model import Layout
 from layoutkit.pictures.worlds.glb import render_world_glb
 from layoutkit_operations.checking import faults_of, volume
 
@@ -25,6 +29,15 @@ def park(documents, stages):
 def test_the_documents_are_those_that_the_scripts_draft():
     for file, data in pipeline_files("park"):
         assert file.read_bytes() == data, file.name
+
+
+def test_designs_keep_their_own_constraints_and_are_drawn_by_the_scripts():
+    own = {facade.name: (file, facade) for file, facade in designs() if file.parent.name == "park"}
+    assert sorted(own) == ["pavilion"]
+    for file, facade in own.values():
+        assert Layout(facade.name, facade.units, facade.root, facade).violations() == ()
+        with Image.open(file) as picture:
+            assert picture.convert("RGB").tobytes() == paint(facade).tobytes()
 
 
 def test_nothing_is_told(park):

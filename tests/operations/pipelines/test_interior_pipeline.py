@@ -5,9 +5,13 @@ from itertools import combinations
 
 import pytest
 import shapely
+from PIL import Image
 from pipeline_replays import documents_of, overlap, placed, replayed
 
 from facades.draft import pipeline_files
+from facades.draw import designs
+from facades.painting.canvas import paint
+from layoutkit.model import Layout
 from layoutkit.pictures.worlds.glb import render_world_glb
 from layoutkit_operations.checking import faults_of
 
@@ -27,6 +31,15 @@ def flat(documents, stages):
 def test_the_documents_are_those_that_the_scripts_draft():
     for file, data in pipeline_files("flat"):
         assert file.read_bytes() == data, file.name
+
+
+def test_designs_keep_their_own_constraints_and_are_drawn_by_the_scripts():
+    own = {facade.name: (file, facade) for file, facade in designs() if file.parent.name == "flat"}
+    assert sorted(own) == ["cabinet", "cupboard", "shelf", "wardrobe"]
+    for file, facade in own.values():
+        assert Layout(facade.name, facade.units, facade.root, facade).violations() == ()
+        with Image.open(file) as picture:
+            assert picture.convert("RGB").tobytes() == paint(facade).tobytes()
 
 
 def test_nothing_is_told(flat):
@@ -90,6 +103,16 @@ def test_counters_and_wardrobes_are_against_walls_and_beds_between_their_tables(
         assert all(bed.distance(table) <= 0.4 for table in tables)
         # One at either side: they are farther from each other than the bed is wide.
         assert tables[0].distance(tables[1]) >= 1.6
+
+
+def test_sinks_and_hobs_are_let_into_counters_beside_each_other(flat):
+    there = placed(flat.site, "Counter")
+    for counter, box in placed(flat.site, "Kitchen").items():
+        if ".Counter_" in counter:
+            sink, hob = there[f"{counter}.Sink_1"], there[f"{counter}.Hob_1"]
+            assert box.buffer(1e-6).contains(sink)
+            assert box.buffer(1e-6).contains(hob)
+            assert sink.distance(hob) > 0
 
 
 def test_the_seed_decides_and_nothing_else_does(documents, stages):
