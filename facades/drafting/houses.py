@@ -9,7 +9,12 @@ from layoutkit.model import LearningSettings, PlacementModel, Polygon, Scene
 from layoutkit.operations import Operations
 from layoutkit.operations.attributes import Colour
 from layoutkit.shipped import shipped
-from layoutkit_operations.kinds import Array, Boolean, Delete, Extrude, Place, Vary
+from layoutkit_operations.kinds.array import Array
+from layoutkit_operations.kinds.boolean import Boolean
+from layoutkit_operations.kinds.delete import Delete
+from layoutkit_operations.kinds.extrude import Extrude
+from layoutkit_operations.kinds.place import Place
+from layoutkit_operations.kinds.vary import Vary
 from layoutkit_operations.recording import Recorder, Step, design
 
 #: What plots are called: in our own scene, and in the data of a city's survey.
@@ -149,7 +154,7 @@ def _winged(houses: Step) -> None:
     """Build two storeys of brick under a gable, and beside them a garage with a flat roof."""
     whole = Polygon.rectangle("House", 0, 0, 12, 9, ("House",))
     core = learned("cores", "Core", (Shown(whole, ((4, 4.5, 8, 9),)),), SHARES)
-    wing = learned("wings", "Wing", (Shown(whole, ((9.9, 5.2, 4.2, 6.4),)),), SHARES)
+    wing = learned("wings", "Wing", (Shown(whole, ((9.7, 5.2, 4.6, 6.4),)),), SHARES)
     cores = houses.do(Place(model=core, limit=1, threshold=0.0))
     wings = houses.do(Place(model=wing, limit=1, threshold=0.0))
     cores.do(
@@ -195,7 +200,7 @@ def _chimney(houses: Step) -> None:
 
 def _smoking(houses: Step, height: float) -> None:
     """Put the chimney up, from the ground through the roof, and make it one with the house."""
-    houses.select("Chimney").do(Extrude(height=height, material="chimney", colour=BRICK))
+    houses.select("Chimney").do(Extrude(height=height, random=0.04, material="chimney", colour=BRICK))
     houses.do(Boolean(action="union", with_="intersecting"))
 
 

@@ -11,7 +11,10 @@ from layoutkit.model.face import Point
 from layoutkit.operations import Design, Operations
 from layoutkit.operations.attributes import Colour
 from layoutkit.shipped import shipped
-from layoutkit_operations.kinds import Boolean, Extrude, Place, Vary
+from layoutkit_operations.kinds.boolean import Boolean
+from layoutkit_operations.kinds.extrude import Extrude
+from layoutkit_operations.kinds.place import Place
+from layoutkit_operations.kinds.vary import Vary
 from layoutkit_operations.recording import Recorder, Step, design
 
 SITE, PAVILION = "Site", "Pavilion"
@@ -48,7 +51,7 @@ def scenes() -> tuple[Scene, ...]:
         ((54, 108), (92, 108), (118, 122), (110, 152), (54, 156)),
     )
     sites = (Polygon(f"Site_{n}", tuple(own), (SITE,)) for n, own in enumerate(outlines, 1))
-    round_ones = (_octagon("Pavilion_1", 88.0, 70.0, 7.0), _octagon("Pavilion_2", 98.0, 134.0, 8.5))
+    round_ones = (_octagon("Pavilion_1", 104.0, 69.0, 6.0), _octagon("Pavilion_2", 98.0, 134.0, 8.5))
     ground = Polygon("Streets", ((-12, -12), (174, -12), (174, 166), (-12, 166)), ("Street",))
     return (Scene("quarter", "m", (ground, *sites, *round_ones)),)
 

@@ -93,13 +93,16 @@ class BodySurface:
     frame
         Its own coordinates.
     outlines
-        What can be seen of it, each counter-clockwise and without holes, in its own coordinates.
+        What can be seen of it, each counter-clockwise, in its own coordinates.
+    holes
+        What is missing inside these, each clockwise.
     """
 
     name: str
     labels: tuple[str, ...]
     frame: Frame
     outlines: tuple[tuple[Point, ...], ...]
+    holes: tuple[tuple[Point, ...], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

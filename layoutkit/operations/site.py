@@ -109,7 +109,7 @@ class Surface:
     frame
         Its coordinates; x runs along, y up where that can be.
     outlines
-        What can be seen of it, in these: each counter-clockwise, holes left away.
+        What can be seen of it, in these: each counter-clockwise.
     skin
         What it looks like.
     element
@@ -118,6 +118,8 @@ class Surface:
         The name of the solid that it is a side of; empty for the ground.
     dressing
         The facade that is laid out on it, if one is.
+    holes
+        What is missing inside the outlines, each clockwise: where something stands on it, or was taken away.
     """
 
     name: str
@@ -128,6 +130,7 @@ class Surface:
     element: str = ""
     solid: str = ""
     dressing: Dressing | None = None
+    holes: tuple[tuple[Point, ...], ...] = ()
 
     @property
     def upright(self) -> bool:

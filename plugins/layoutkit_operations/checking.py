@@ -48,9 +48,11 @@ def lies_on_surface(opening: Opening, body: Body) -> bool:
     import shapely
 
     near = _NEAR * float(np.ptp(body.points, axis=0).max())
-    own = shapely.Polygon(opening.outline)
-    outlines = body.surfaces[opening.surface].outlines
-    return any(shapely.covers(shapely.buffer(shapely.Polygon(o), near), own) for o in outlines)
+    own, surface = shapely.Polygon(opening.outline), body.surfaces[opening.surface]
+    seen = shapely.union_all([shapely.Polygon(outline) for outline in surface.outlines])
+    for hole in surface.holes:
+        seen = shapely.difference(seen, shapely.Polygon(hole))
+    return bool(shapely.covers(shapely.buffer(seen, near, join_style="mitre"), own))
 
 
 def _fault(message: str) -> Diagnostic:

@@ -8,7 +8,7 @@ import pytest
 
 from layoutkit import shipped as shipping
 from layoutkit.diagnostics import Faulty
-from layoutkit.samples import list_samples, list_scenes, sample_path
+from layoutkit.samples import list_pipelines, list_samples, list_scenes, sample_path
 
 
 def test_samples_have_names_descriptions_and_documents() -> None:
@@ -45,3 +45,19 @@ def test_shipped_folders_are_found_in_a_wheel_and_in_a_checkout(
     assert shipping.shipped("facades") == package / "_shipped" / "facades"
     with pytest.raises(FileNotFoundError, match="schemas"):
         shipping.shipped("schemas")
+
+
+def test_pipelines_are_samples_as_well() -> None:
+    pipelines = list_pipelines()
+    assert [p.name for p in pipelines][:2] == ["houses", "towers"]
+    for pipeline in pipelines:
+        assert pipeline.description
+        assert pipeline.operations.is_file()
+        assert pipeline.scenes
+        assert all(scene.is_file() for scene in pipeline.scenes)
+        assert sample_path(pipeline.name) == pipeline.operations
+
+
+def test_samples_have_names_of_their_own() -> None:
+    names = [sample.name for sample in (*list_samples(), *list_scenes(), *list_pipelines())]
+    assert len(set(names)) == len(names)

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+from scipy.spatial import KDTree
 
 from layoutkit.model import Body, BodySurface, Box, Frame, Opening, Skin
-from layoutkit.model.face import Point
-from layoutkit.model.outline import area
 from layoutkit.operations import Element, Looks, Site, Solid, Surface
 from layoutkit.pictures.palette import PLAIN, colour_of_labels
 from layoutkit_operations.finishing.conforming import Key, on_edges, snapped, with_points
@@ -17,8 +16,9 @@ from layoutkit_operations.finishing.dressing import OPENINGS, Photos, dressed, o
 from layoutkit_operations.finishing.inlays import Inlay, inlays_of
 from layoutkit_operations.finishing.pieces import NONE, Piece, joined, outline_of, relief_of
 from layoutkit_operations.finishing.strips import Strip, strips_of
-from layoutkit_operations.solids.frames import Array, flattened
+from layoutkit_operations.solids.frames import Array, flattened, in_space
 from layoutkit_operations.solids.polyhedra import ears, merged
+from layoutkit_operations.solids.rectangles import fills
 
 #: Points nearer than this share of a solid's size are one.
 _NEAR = 1e-7
@@ -55,9 +55,12 @@ class _Building:
         parts = [dressed(n, s, self._photos) for n, s in enumerate(self._surfaces) if s.dressing is not None]
         strips = strips_of(parts, self._near)
         boxes = {part.number: part.box for part in parts}
-        inlays = {n: self._inlays(n, boxes.get(n)) for n in range(len(self._surfaces))}
-        given = [self._solid.points, *(inlay.points for own in inlays.values() for inlay in own)]
-        every = np.concatenate([*given, *(_in_space(strip, outline_of(strip)) for strip in strips)])
+        outlines = (_in_space(strip, outline_of(strip)) for strip in strips)
+        flat = (_corners(e, s) for s in self._surfaces for e in self._site.on(s.name) if not e.solid)
+        fixed = np.concatenate([self._solid.points, *outlines, *flat])
+        tree = KDTree(fixed)
+        inlays = {n: self._inlays(n, boxes.get(n), tree) for n in range(len(self._surfaces))}
+        every = np.concatenate([fixed, *(inlay.points for own in inlays.values() for inlay in own)])
         pieces = [self._relief(strip, every) for strip in strips]
         for number, own in inlays.items():
             pieces += (self._inlay(inlay, number, every) for inlay in own)
@@ -79,14 +82,13 @@ class _Building:
                 skin.append(self._skin(look))
         return relief_of(strip, tuple(_on_outline(strip, every, self._near)), opening, skin)
 
-    def _inlays(self, number: int, box: Box | None) -> tuple[Inlay, ...]:
+    def _inlays(self, number: int, box: Box | None, fixed: KDTree) -> tuple[Inlay, ...]:
         """Return the parts of a surface that is not all bare, or covered by its facade."""
         surface = self._surfaces[number]
         flat = [element for element in self._site.on(surface.name) if not element.solid]
-        if not flat and (box is None or (len(surface.outlines) == 1 and _fills(box, surface.outlines[0]))):
+        if not flat and (box is None or fills(box, surface.outlines, surface.holes)):
             return ()
-        own = self._solid.points[self._solid.triangles[self._solid.surface == number]]
-        return tuple(inlays_of(own, surface.frame, box, flat, self._near))
+        return tuple(inlays_of(surface, box, flat, fixed, self._near))
 
     def _inlay(self, inlay: Inlay, number: int, every: Array) -> Piece:
         """Return a part of a surface that is bare, or that a flat element lies on."""
@@ -163,7 +165,7 @@ def _told(surface: Surface, site: Site) -> BodySurface:
     x, y, z = site.origin
     a, b, c = surface.frame.origin
     frame = replace(surface.frame, origin=(a + x, b + y, c + z))
-    return BodySurface(surface.name, surface.labels, frame, surface.outlines)
+    return BodySurface(surface.name, surface.labels, frame, surface.outlines, surface.holes)
 
 
 def standing_on(element: Element, site: Site) -> str:
@@ -181,6 +183,10 @@ def _number_of(path: str, numbers: dict[str, int]) -> int:
             return numbers[path]
         path = path.rpartition("/")[0]
     return NONE
+
+
+def _corners(element: Element, surface: Surface) -> Array:
+    return in_space(np.array(element.points), surface.frame)
 
 
 def _in_space(strip: Strip, keys: Sequence[Key]) -> Array:
@@ -211,8 +217,3 @@ def _opened(triangles: Array, new: Array, frame: Frame, near: float) -> Array:
         outline = with_points(triangle, new[which], near)[0] if which.any() else triangle
         found.append(triangle[None] if len(outline) == 3 else outline[ears(outline, frame)])
     return np.concatenate(found)
-
-
-def _fills(box: Box, outline: tuple[Point, ...]) -> bool:
-    """Tell whether a facade fills all of a surface."""
-    return abs(area(outline) - box.width * box.height) <= _NEAR * box.width * box.height

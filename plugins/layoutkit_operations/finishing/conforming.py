@@ -76,6 +76,7 @@ def on_edges(polygon: Array, points: Array, near: float) -> Iterator[tuple[int, 
     """Yield, for each edge, the shares at which points lie on it, in order, and which points these are."""
     steps = np.roll(polygon, -1, axis=0) - polygon
     squares = (steps * steps).sum(axis=1)
+    squares[squares == 0] = np.inf  # an edge without length has no point on it
     apart = points[None] - polygon[:, None]
     shares = (apart * steps[:, None]).sum(axis=2) / squares[:, None]
     off = np.sqrt(((apart - shares[..., None] * steps[:, None]) ** 2).sum(axis=2))

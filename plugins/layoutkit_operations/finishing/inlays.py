@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from layoutkit.model import Box, Frame
 from layoutkit.model.face import Point
-from layoutkit.operations import Element
+from layoutkit.operations import Element, Surface
 from layoutkit_operations.finishing.conforming import with_points
 from layoutkit_operations.solids.frames import Array, flattened, in_space
+
+if TYPE_CHECKING:
+    from scipy.spatial import KDTree
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,32 +24,27 @@ class Inlay:
 
     Attributes
     ----------
-    shape
-        A polygon of shapely's, maybe with holes, in coordinates of the surface.
+    rings
+        Its outline and its holes in space, each of shape (corners, 3).
     frame
-        These coordinates.
+        Coordinates of the surface.
     element
         What lies there; None where the surface is bare.
     """
 
-    shape: Any  # shapely ships no types
+    rings: tuple[Array, ...]
     frame: Frame
     element: Element | None
 
     @property
     def points(self) -> Array:
-        """The corners of its rings in space, shape (corners, 3)."""
-        import shapely
-
-        return in_space(shapely.get_coordinates(self.shape), self.frame)
+        """The corners of its rings, shape (corners, 3)."""
+        return np.concatenate(self.rings)
 
     @property
     def outline(self) -> tuple[Point, ...]:
-        """Its outer ring, counter-clockwise."""
-        import shapely
-
-        ring = shapely.get_exterior_ring(shapely.orient_polygons(self.shape))
-        return tuple((x, y) for x, y in shapely.get_coordinates(ring)[:-1].tolist())
+        """Its outer ring on the surface, counter-clockwise."""
+        return tuple((x, y) for x, y in flattened(self.rings[0], self.frame).tolist())
 
     def triangles(self, further: Array, near: float) -> Array:
         """Return its triangles in space, with all points that lie on its edges; shape (triangles, 3, 3).
@@ -58,20 +56,16 @@ class Inlay:
         near
             How far apart points may be and still be one.
         """
-        import shapely
         from manifold3d import triangulate
 
-        rings = []
-        for ring in shapely.get_rings(shapely.orient_polygons(self.shape)):
-            corners = in_space(shapely.get_coordinates(ring)[:-1], self.frame)
-            rings.append(with_points(corners, further, near)[0])
+        rings = [with_points(ring, further, near)[0] for ring in self.rings]
         found = np.asarray(triangulate([flattened(ring, self.frame) for ring in rings]))
         points: Array = np.concatenate(rings)[found]
         return points
 
 
 def inlays_of(
-    triangles: Array, frame: Frame, box: Box | None, flat: Sequence[Element], near: float
+    surface: Surface, box: Box | None, flat: Sequence[Element], fixed: KDTree, near: float
 ) -> Iterator[Inlay]:
     """Yield what can be seen of flat elements on a surface, and of the surface itself.
 
@@ -79,47 +73,46 @@ def inlays_of(
 
     Parameters
     ----------
-    triangles
-        Of the surface, shape (triangles, 3, 3).
     box
         What a facade covers, in coordinates of the surface.
     flat
         What lies there.
+    fixed
+        Points in space that others go by: what comes to lie near one of them is there.
     near
         How far apart points may be and still be one.
     """
     import shapely
 
+    frame = surface.frame
     # Points come to lie farther apart than what counts as one, and each still counts as what it was.
     grid = {"grid_size": 1.25 * near}
-    corners = flattened(triangles.reshape(-1, 3), frame).reshape(-1, 3, 2)
-    whole = shapely.union_all(shapely.polygons(corners), **grid)
+    whole = shapely.union_all([shapely.Polygon(outline) for outline in surface.outlines])
+    for hole in surface.holes:
+        whole = shapely.difference(whole, shapely.Polygon(hole))
     hidden = shapely.box(*box) if box is not None else shapely.Polygon()
     shapes = [(shapely.Polygon(element.points), element) for element in flat]
-    known = np.concatenate([corners.reshape(-1, 2), *(shapely.get_coordinates(s) for s, _ in shapes)])
-    known = np.concatenate([known, shapely.get_coordinates(hidden)])
     for shape, element in sorted(shapes, key=lambda pair: float(pair[0].area)):
         inside = _area(shapely.intersection(shape, whole, **grid))
         seen = _area(shapely.difference(inside, hidden, **grid))
-        yield from (Inlay(_exact(part, known, near), frame, element) for part in _polygons(seen))
+        yield from (Inlay(_rings(part, frame, fixed, near), frame, element) for part in _polygons(seen))
         hidden = _area(shapely.union(hidden, seen, **grid))
     left = _area(shapely.difference(whole, hidden, **grid))
-    yield from (Inlay(_exact(part, known, near), frame, None) for part in _polygons(left))
+    yield from (Inlay(_rings(part, frame, fixed, near), frame, None) for part in _polygons(left))
 
 
-def _exact(shape: Any, known: Array, near: float) -> Any:
-    """Return a shape whose corners are where they were before they were rounded, more than once maybe."""
+def _rings(polygon: Any, frame: Frame, fixed: KDTree, near: float) -> tuple[Array, ...]:
+    """Return the rings of a polygon in space, the outer one first; their corners at fixed points, if near."""
     import shapely
-    from scipy.spatial import cKDTree
 
-    tree = cKDTree(known)
-
-    def _back(points: Array) -> Array:
-        apart, which = tree.query(points)
-        found: Array = np.where((apart <= 2 * near)[:, None], known[which], points)
-        return found
-
-    return shapely.remove_repeated_points(shapely.transform(shape, _back))
+    found = []
+    for ring in shapely.get_rings(shapely.orient_polygons(polygon)):
+        corners = in_space(shapely.get_coordinates(ring)[:-1], frame)
+        apart, which = fixed.query(corners)
+        close = apart <= 2 * near  # rounded more than once, they moved by more than the grid
+        corners[close] = fixed.data[which[close]]
+        found.append(corners[(corners != np.roll(corners, -1, axis=0)).any(axis=1)])
+    return tuple(found)
 
 
 def _area(shape: Any) -> Any:

@@ -55,7 +55,7 @@ class Vary(Operation):
         """Return the facade of a surface, of the first design that has a layout for it."""
         from layoutkit_operations.solids.rectangles import greatest_rectangle
 
-        box = greatest_rectangle(surface.outlines)
+        box = greatest_rectangle(surface.outlines, surface.holes)
         if box is None:
             self._remark(context, f"{surface.name} has no upright rectangle, and stays bare", "delete it")
             return None

@@ -37,15 +37,18 @@ class Facet:
 
 
 def merged(points: Array, near: float) -> tuple[Array, Indices]:
-    """Return points as near to each other as that as one, and which one each is."""
+    """Return points as near as that to each other, or to others between, as one, and which one each is."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
     from scipy.spatial import KDTree
 
     unlike, which = np.unique(points, axis=0, return_inverse=True)
-    first = np.arange(len(unlike))
-    for one, other in sorted(KDTree(unlike).query_pairs(near)):
-        first[other] = min(first[other], first[one])
-    kept, again = np.unique(first, return_inverse=True)
-    return unlike[kept], again[which.reshape(-1)].astype(np.int64)
+    pairs = KDTree(unlike).query_pairs(near, output_type="ndarray")
+    count = len(unlike)
+    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (count, count))
+    _, groups = connected_components(graph, directed=False)
+    _, first, again = np.unique(groups, return_index=True, return_inverse=True)
+    return unlike[first], again[which.reshape(-1)].astype(np.int64)
 
 
 def triangulated(facets: Sequence[Facet]) -> tuple[Array, Indices, Indices]:

@@ -65,9 +65,10 @@ def found_again(solid: Solid, surfaces: Mapping[str, Surface]) -> Iterator[Surfa
             if float(normal @ np.array(own.frame.out)) < 0:
                 seen = solid.points[np.unique(triangles)]
                 own = replace(own, frame=frame_about(seen, normal, own.frame.right), dressing=None)
-            outlines = tuple(outlines_of(solid.points, triangles, own.frame, _NOTHING * size * size))
+            rings = tuple(rings_of(solid.points, triangles, own.frame, _NOTHING * size * size))
+            outlines = tuple(ring for ring in rings if area(ring) > 0)
             if outlines:
-                yield replace(own, outlines=outlines)
+                yield replace(own, outlines=outlines, holes=tuple(r for r in rings if area(r) < 0))
 
 
 def areas_of(solid: Solid) -> Mapping[str, float]:
@@ -78,15 +79,13 @@ def areas_of(solid: Solid) -> Mapping[str, float]:
     return dict(zip(solid.surfaces, areas.tolist(), strict=True))
 
 
-def outlines_of(
-    points: Array, triangles: Indices, frame: Frame, nothing: float
-) -> Iterator[tuple[Point, ...]]:
-    """Yield the outlines of triangles in a plane, counter-clockwise; holes are left out.
+def rings_of(points: Array, triangles: Indices, frame: Frame, nothing: float) -> Iterator[tuple[Point, ...]]:
+    """Yield the outlines of triangles in a plane, counter-clockwise, and their holes, clockwise.
 
     Parameters
     ----------
     nothing
-        Outlines of less area are left out, too.
+        Rings of less area are left out.
     """
     edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     count = len(points)
@@ -98,7 +97,7 @@ def outlines_of(
     for loop in _loops(onward):
         flat = _points(flattened(points[loop], frame))
         outline = _straight(flat)
-        if len(outline) >= 3 and area(outline) > nothing:
+        if len(outline) >= 3 and abs(area(outline)) > nothing:
             yield outline
 
 

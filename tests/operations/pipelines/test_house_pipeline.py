@@ -13,7 +13,7 @@ from layoutkit.model import Layout, Scene
 from layoutkit.operations.sites import sites_of
 from layoutkit_operations.checking import faults_of, volume
 
-REAL = Path(__file__).parents[4] / "shared/data/city/bubenec.gpkg"
+REAL = Path(__file__).parents[3] / ".." / "shared" / "data" / "city" / "bubenec.gpkg"
 
 
 @pytest.fixture(scope="module")
@@ -129,7 +129,7 @@ def test_trees_stand_clear_of_houses(village):
 @pytest.mark.parametrize("seed", [1, 2])
 def test_other_seeds_are_sound_as_well(documents, stages, seed):
     operations, scene = documents
-    some = [site.name for site in sites_of(scene, operations.sites)][seed::5]
+    some = [site.name for site in sites_of(scene, operations.sites)][seed::8]
     part = Scene(scene.name, scene.units, tuple(p for p in scene.polygons if p.name in some))
     found = built(operations, part, stages, seed)
     assert found.told == ()
@@ -139,19 +139,17 @@ def test_other_seeds_are_sound_as_well(documents, stages, seed):
 @pytest.mark.skipif(not REAL.is_file(), reason="the data of a real city are not here")
 def test_real_plots_get_houses_inside_of_them(documents, stages):
     """Plots without fronts and of any shape: nearly all with room for a house have one."""
-    from layoutkit.hooks.host import Host
-
     operations, _ = documents
-    scene = read_plots(Host.load())
+    scene, _ = stages.host.scene_formats.find("geopackage").read(REAL, "plots")
     roomy = [p for p in scene.polygons if is_roomy(shapely.Polygon(p.points))]
-    chosen = [roomy[n] for n in np.random.default_rng(5).choice(len(roomy), 30, replace=False)]
+    chosen = [roomy[n] for n in np.random.default_rng(5).choice(len(roomy), 20, replace=False)]
     found = built(operations, Scene(scene.name, scene.units, tuple(chosen)), stages, seed=0)
     assert {diagnostic.code for diagnostic in found.told} <= {"LK875"}
     assert [fault for body in found.world.bodies for fault in faults_of(body)] == []
     housed = [site for site in found.sites.values() if houses_in(site)]
     inside = [site for site in housed if footprint(site).difference(ground_of(site)).area < 1e-6]
-    assert len(housed) >= 29
-    assert len(inside) >= 28
+    assert len(housed) >= 19
+    assert len(inside) >= 19
 
 
 def is_roomy(plot):
