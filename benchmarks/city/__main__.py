@@ -1,6 +1,7 @@
 """Houses on the plots of a city by `layoutkit replay`: how long it takes, and what many machines would take.
 
-    python -m benchmarks.city [--small 400] [--large 4000] [--parts small,one,dask,plain,real,large] [--tile N]
+    python -m benchmarks.city [--small 400] [--large 4000] [--tile N]
+                             [--parts small,one,dask,plain,real,large]
     python -m benchmarks.city cluster [--plots 400]
 
 The first one replays `facades/houses/operations.xml` on cities of our own (`plots.py`) and, where its data is

@@ -28,7 +28,7 @@ def costs(tasks: int, size: int) -> Costs:
     """
     with _cluster() as client:
         scheduler = _scheduled(client, 10 * tasks)
-        cluster = Cluster(client.scheduler.address, _WORKERS)
+        cluster = Cluster(client.scheduler_info()["address"], _WORKERS)
         carried_out(idle(_WORKERS * _THREADS, 0), cluster)  # so that all is loaded
         empty = _between(tasks, 0, cluster)
         full = _between(tasks, size, cluster)

@@ -57,8 +57,8 @@ class Measured:
         small, large = self.preparations
         grown = math.log(large.plots / small.plots)
         powers = [math.log(b / a) / grown for a, b in zip(small.steps, large.steps, strict=True)]
-        return sum(
-            seconds * (plots / large.plots) ** max(0.0, power)
+        return math.fsum(
+            seconds * math.pow(plots / large.plots, max(0.0, power))
             for seconds, power in zip(large.steps, powers, strict=True)
         )
 
@@ -93,13 +93,12 @@ def lines(
     loading = _loading(runs[TILES[0]])
     yield (
         f"a process starts in {start:.2f} s, and loads for {loading:.2f} s at its first task; "
-        f"for each task, Dask's scheduler takes {1000 * cost.scheduler:.2f} ms, the client {1000 * cost.client:.2f} ms "
-        f"and {1e9 * cost.byte:.1f} ms for each megabyte"
+        f"for each task, Dask's scheduler takes {1000 * cost.scheduler:.2f} ms, "
+        f"the client {1000 * cost.client:.2f} ms and {1e9 * cost.byte:.1f} ms for each megabyte"
     )
     found = Measured({tile: run.usual for tile, run in runs.items()}, loading, (small, large), cost)
     yield from _validated(plots, found, runs, start)
-    for text in _table(found, cases):
-        yield text
+    yield from table(found, cases)
 
 
 def _preparation(made: Preparation) -> str:
@@ -155,11 +154,17 @@ def _here(plots: int, tile: int, cores: int, found: Measured, start: float) -> C
 
 
 def _beside(what: str, run: Timed, course: Course) -> str:
+    """Say how far the simulation is off; cores that get in each other's way need more for the same plots."""
     off = course.seconds / run.seconds - 1
-    return f"  {what}: measured {run.seconds:.1f} s, simulated {course.seconds:.1f} s ({100 * off:+.0f} %)"
+    each = 1000 * sum(done.seconds for done in run.usual) / sum(done.plots for done in run.usual)
+    return (
+        f"  {what}: measured {run.seconds:.1f} s, simulated {course.seconds:.1f} s ({100 * off:+.0f} %); "
+        f"{each:.0f} ms of processors a plot"
+    )
 
 
-def _table(found: Measured, cases: Sequence[tuple[int, int]]) -> Iterator[str]:
+def table(found: Measured, cases: Sequence[tuple[int, int]]) -> Iterator[str]:
+    """Yield what a cluster would take, by plots and the commands that share them."""
     yield (
         f"simulated: {MACHINES} machines of {CORES} cores, from {SPEEDS[0]} to {SPEEDS[1]} times as fast as "
         "this one, the results of each command taken in over one line"
@@ -172,11 +177,12 @@ def _table(found: Measured, cases: Sequence[tuple[int, int]]) -> Iterator[str]:
 
 
 def _row(plots: int, commands: int, tile: int, line: float, found: Measured) -> str:
-    """Return what one of the commands takes: all have as much to do, and as many machines."""
+    """Return what the slowest of the commands takes: all have as much to do, and as many machines."""
     random = np.random.default_rng(0)
-    own, machines = plots // commands, max(1, MACHINES // commands)
+    own, machines = plots // commands, MACHINES // commands
     tasks = found.tasks(own, tile, random)
-    speeds = tuple(random.uniform(*SPEEDS, size=machines).tolist())
+    groups = random.uniform(*SPEEDS, size=(commands, machines)).tolist()
+    speeds = tuple(min(groups, key=sum))
     rate = line * 1e9 / 8
     cluster = Machines(speeds, CORES, _beginning(own, machines, rate, found), rate)
     course = simulated(tasks, cluster, found.costs)

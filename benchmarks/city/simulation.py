@@ -58,7 +58,7 @@ class Machines:
     line
         Bytes a second that reach the client.
     lost
-        How many machines are lost in the middle: the first ones.
+        How many machines are lost half-way between the first task and the last: the first ones.
     """
 
     speeds: tuple[float, ...]
@@ -76,6 +76,8 @@ class Course:
     ----------
     seconds
         Until the last result is kept.
+    begun
+        Until the first core has begun.
     shares
         What part of this time cores, client and scheduler were at work, and how much of it was beginning.
     repeated
@@ -83,6 +85,7 @@ class Course:
     """
 
     seconds: float
+    begun: float
     shares: dict[str, float]
     repeated: int
 
@@ -93,11 +96,11 @@ class Course:
 
 
 def simulated(tasks: Sequence[Work], machines: Machines, costs: Costs) -> Course:
-    """Return how tasks go, in their order, on machines; those that are lost are lost half-way."""
+    """Return how tasks go, in their order, on machines; those that are lost are lost while it is done."""
     if not machines.lost:
         return _Cluster(tasks, machines, costs).course()
-    half = _Cluster(tasks, replace(machines, lost=0), costs).course().seconds / 2
-    return _Cluster(tasks, machines, costs, half).course()
+    whole = _Cluster(tasks, replace(machines, lost=0), costs).course()
+    return _Cluster(tasks, machines, costs, (whole.begun + whole.seconds) / 2).course()
 
 
 @dataclass
@@ -137,14 +140,14 @@ class _Cluster:
         while len(self._kept) < len(self.tasks):
             self._now, _, happen = heapq.heappop(self._events)
             happen()
-        first = before + begin / (sum(self.machines.speeds) / len(self.machines.speeds))
+        begun = before + begin / max(self.machines.speeds)
         shares = {
             "cores": self._worked / (cores * self._now),
             "client": self._taken / self._now,
             "scheduler": (len(self.tasks) + self._repeated) * self.costs.scheduler / self._now,
-            "beginning": first / self._now,
+            "beginning": begun / self._now,
         }
-        return Course(self._now, shares, self._repeated)
+        return Course(self._now, begun, shares, self._repeated)
 
     def _at(self, when: float, happen: Callable[[], None]) -> None:
         heapq.heappush(self._events, (when, next(self._order), happen))

@@ -43,7 +43,7 @@ class Done:
     Attributes
     ----------
     seconds
-        Of the worker.
+        Of the worker's processor: what else the machine does is left out.
     plots
         How many it was for.
     size
@@ -178,10 +178,10 @@ def _idle(task: Task, shared: Shared) -> Finished:
 
 
 def _with_seconds(task: Task, shared: Shared, work: Any) -> Finished:
-    start, first = time.perf_counter(), not _BEGUN
+    start, first = time.process_time(), not _BEGUN
     _BEGUN.append(True)
     finished: Finished = work(task, shared)
-    told = {"seconds": time.perf_counter() - start, "first": first, "plots": task.arguments["plots"]}
+    told = {"seconds": time.process_time() - start, "first": first, "plots": task.arguments["plots"]}
     return replace(finished, summary={**finished.summary, **told})
 
 

@@ -13,6 +13,7 @@ from layoutkit.model.face import Point
 from layoutkit.operations import Element, Surface
 from layoutkit_operations.finishing.conforming import with_points
 from layoutkit_operations.solids.frames import Array, flattened, in_space
+from layoutkit_operations.solids.surfaces import seen_of
 
 if TYPE_CHECKING:
     from scipy.spatial import KDTree
@@ -87,9 +88,7 @@ def inlays_of(
     frame = surface.frame
     # Points come to lie farther apart than what counts as one, and each still counts as what it was.
     grid = {"grid_size": 1.25 * near}
-    whole = shapely.union_all([shapely.Polygon(outline) for outline in surface.outlines])
-    for hole in surface.holes:
-        whole = shapely.difference(whole, shapely.Polygon(hole))
+    whole = _area(seen_of(surface.outlines, surface.holes))
     hidden = shapely.box(*box) if box is not None else shapely.Polygon()
     shapes = [(shapely.Polygon(element.points), element) for element in flat]
     for shape, element in sorted(shapes, key=lambda pair: float(pair[0].area)):

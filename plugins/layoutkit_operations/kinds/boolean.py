@@ -124,7 +124,7 @@ def _settled(site: Site, made: Solid, merged: Sequence[str], context: Context, b
         surfaces=surfaces,
         elements={n: replace(e, solid=made.name) if e.solid in gone else e for n, e in site.elements.items()},
     )
-    after = after.with_solids(_named(made, [surface.name for surface in seen])).with_surfaces(*seen)
+    after = after.with_solids(made).with_surfaces(*seen)
     lost = {e.name for e in after.elements.values() if e.surface not in after.surfaces}
     return after.without(lost - {e.name for e in after.elements.values() if e.solid == made.name})
 
@@ -139,12 +139,3 @@ def _disturbed(before: Sequence[Solid], made: Solid, site: Site) -> str | None:
             if site.surfaces[name].dressing is not None and abs(after.get(name, 0.0) - own) > _SEEN * own:
                 return name
     return None
-
-
-def _named(made: Solid, kept: Sequence[str]) -> Solid:
-    """Return a solid whose slivers, of surfaces that are not told, are part of the first surface that is."""
-    import numpy as np
-
-    numbers = {name: number for number, name in enumerate(kept)}
-    own = np.array([numbers.get(name, 0) for name in made.surfaces])
-    return replace(made, surface=own[made.surface], surfaces=tuple(kept))

@@ -106,9 +106,8 @@ def _ready(design: Design, context: Context) -> Facade | None:
 
 
 def _surfaces(scope: Scope, site: Site) -> Iterator[Surface]:
-    """Yield the surfaces in a scope; of solids, their sides."""
+    """Yield the surfaces in a scope of which there is something to be seen; of solids, their sides."""
     for name in dict.fromkeys(scope):
-        if name in site.surfaces:
-            yield site.surfaces[name]
-        else:
-            yield from (surface for surface in site.surfaces_of(name) if "Side" in surface.labels)
+        for surface in site.surfaces_of(name):
+            if surface.outlines and (name in site.surfaces or "Side" in surface.labels):
+                yield surface

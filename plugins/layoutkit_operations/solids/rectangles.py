@@ -10,6 +10,7 @@ from layoutkit.model import Box
 from layoutkit.model.face import Point
 from layoutkit.model.outline import area
 from layoutkit_operations.solids.frames import Array
+from layoutkit_operations.solids.surfaces import seen_of
 
 #: Points of an outline, counter-clockwise, or of a hole, clockwise.
 Ring = tuple[Point, ...]
@@ -54,9 +55,7 @@ def _searched(outline: Ring, holes: Sequence[Ring], size: float) -> Box | None:
     sides = [xs[lefts][across], ys[feet][up], xs[rights][across], ys[tops][up]]
     boxes = np.stack(sides, axis=-1).reshape(-1, 4)
     areas = (boxes[:, 2] - boxes[:, 0]) * (boxes[:, 3] - boxes[:, 1])
-    own = shapely.Polygon(outline).buffer(_NEAR * size, join_style="mitre")
-    for hole in holes:
-        own = own.difference(shapely.Polygon(hole).buffer(-_NEAR * size, join_style="mitre"))
+    own = shapely.buffer(seen_of([outline], holes), _NEAR * size, join_style="mitre")
     shapely.prepare(own)
     for index in np.lexsort((boxes[:, 0], boxes[:, 1], -areas)):
         if shapely.covers(own, shapely.box(*boxes[index])):

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from layoutkit_operations.solids.polyhedra import Facet, Indices, triangulated
 
 #: Parts of a surface below this share of the solid's own size squared are not told.
 _NOTHING = 1e-10
+#: Areas that differ by less than this share are the same.
+_ALIKE = 1e-6
 
 
 def solid_of(
@@ -54,7 +57,8 @@ def solid_of(
 def found_again(solid: Solid, surfaces: Mapping[str, Surface]) -> Iterator[Surface]:
     """Yield the surfaces that a solid still has, with what can be seen of them now.
 
-    Surfaces that look the other way round, as those of what was taken away do, are turned.
+    Surfaces that look the other way round, as those of what was taken away do, are turned. Of slivers, nothing
+    is told to be seen.
     """
     size = float(np.ptp(solid.points, axis=0).max())
     for number, name in enumerate(solid.surfaces):
@@ -67,8 +71,18 @@ def found_again(solid: Solid, surfaces: Mapping[str, Surface]) -> Iterator[Surfa
                 own = replace(own, frame=frame_about(seen, normal, own.frame.right), dressing=None)
             rings = tuple(rings_of(solid.points, triangles, own.frame, _NOTHING * size * size))
             outlines = tuple(ring for ring in rings if area(ring) > 0)
-            if outlines:
-                yield replace(own, outlines=outlines, holes=tuple(r for r in rings if area(r) < 0))
+            yield replace(own, outlines=outlines, holes=tuple(ring for ring in rings if area(ring) < 0))
+
+
+def seen_of(outlines: Sequence[tuple[Point, ...]], holes: Sequence[tuple[Point, ...]]) -> Any:
+    """Return what can be seen of a surface as shapely has it; rings that touch themselves are mended."""
+    import shapely
+
+    # shapely ships no types
+    whole = shapely.union_all(shapely.make_valid([shapely.Polygon(outline) for outline in outlines]))
+    for hole in holes:
+        whole = shapely.difference(whole, shapely.make_valid(shapely.Polygon(hole)))
+    return whole
 
 
 def areas_of(solid: Solid) -> Mapping[str, float]:
@@ -87,28 +101,22 @@ def rings_of(points: Array, triangles: Indices, frame: Frame, nothing: float) ->
     nothing
         Rings of less area are left out.
     """
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    count = len(points)
-    both = set((edges[:, 1] * count + edges[:, 0]).tolist())
-    onward: defaultdict[int, list[int]] = defaultdict(list)
-    for one, other in edges.tolist():
-        if one * count + other not in both:
-            onward[one].append(other)
-    for loop in _loops(onward):
-        flat = _points(flattened(points[loop], frame))
-        outline = _straight(flat)
-        if len(outline) >= 3 and abs(area(outline)) > nothing:
-            yield outline
+    import shapely
 
-
-def _loops(onward: dict[int, list[int]]) -> Iterator[list[int]]:
-    for start in sorted(onward):
-        while onward[start]:
-            loop, at = [start], onward[start].pop()
-            while at != start:
-                loop.append(at)
-                at = onward[at].pop()
-            yield loop
+    shapes = shapely.polygons(flattened(points[triangles.reshape(-1)], frame).reshape(-1, 3, 2))
+    whole = float(shapely.area(shapes).sum())
+    # Triangles that share their corners are joined without arithmetic, but for some that have no area.
+    try:
+        joined = shapely.coverage_union_all(shapes)
+    except shapely.GEOSException:
+        joined = None
+    if joined is None or abs(float(shapely.area(joined)) - whole) > _ALIKE * whole:
+        joined = shapely.union_all(shapes)
+    for part in shapely.get_parts(shapely.orient_polygons(joined)):
+        for ring in shapely.get_rings(part):
+            outline = _straight(_points(shapely.get_coordinates(ring)[:-1]))
+            if len(outline) >= 3 and abs(area(outline)) > nothing:
+                yield outline
 
 
 def _straight(outline: tuple[Point, ...]) -> tuple[Point, ...]:
