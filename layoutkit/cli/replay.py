@@ -22,7 +22,7 @@ from layoutkit.cli.batching import (
 )
 from layoutkit.cli.options import Json, finite
 from layoutkit.cli.remote import options_of
-from layoutkit.cli.replayed import OPERATIONS, SCENE, replay_tile, side_of
+from layoutkit.cli.replayed import replay_tile, side_of
 from layoutkit.cli.scene_files import Part
 from layoutkit.cli.scenes import read_scene
 from layoutkit.cli.session import Session
@@ -174,11 +174,11 @@ def _tasks(
     from layoutkit.operations.sites import sites_of
 
     plain = Scene(scene.name, scene.units, scene.settled().polygons)
-    files = {f"{OPERATIONS}{own}": data for own, data in document.files.items()}
-    shared = Shared({SCENE: scene_bytes(plain), **files}, options)
-    count = len(tiles_of(plain, sites_of(plain, document.operations.sites), options["tile"]))
+    tiles = tiles_of(plain, sites_of(plain, document.operations.sites), options["tile"])
+    shared = Shared(document.files, options)
     for seed in seeds.numbers:
-        for number in range(count):
+        for number, tile in enumerate(tiles, 1):
             stem = name if len(seeds.numbers) == 1 else f"{name}-s{seed}"
-            stem += f"-{number + 1:0{len(str(count))}d}" if count > 1 else ""
-            yield Task(stem, replay_tile, {"tile": number, "seed": seed, "stem": stem}, shared)
+            stem += f"-{number:0{len(str(len(tiles)))}d}" if len(tiles) > 1 else ""
+            given = {"scene": scene_bytes(tile).decode(), "seed": seed, "stem": stem}
+            yield Task(stem, replay_tile, given, shared)

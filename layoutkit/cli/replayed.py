@@ -4,20 +4,18 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from layoutkit.cli.remote import RemoteSession
 from layoutkit.diagnostics import Diagnostic, Place, Severity
-from layoutkit.model import Scene, World
+from layoutkit.model import World
 
 if TYPE_CHECKING:
     from layoutkit.batch import Finished, Shared, Task
     from layoutkit.operations import Operations
 
-#: The name of the scene's document among shared files; those of the operations stand in a folder of its own.
-SCENE, OPERATIONS = "scene.xml", "operations/"
 #: So many diagnostics that are alike are told.
 _TOLD = 2
 
@@ -25,14 +23,15 @@ _TOLD = 2
 def replay_tile(task: Task, shared: Shared) -> Finished:
     """Replay operations on a tile, and return its models and views.
 
-    The arguments are ``tile``, its number; ``seed``; and ``stem``, what its files are called.
+    The arguments are ``scene``, the document of the tile; ``seed``; and ``stem``, what its files are called.
     """
     from layoutkit.batch import Finished
+    from layoutkit.documents import Source, read_scene
 
-    given, inputs = task.arguments, _inputs(shared)
+    given, operations = task.arguments, _operations(shared)
     session = RemoteSession.of_options(shared.options["session"], {})
-    scene = inputs.tiles[given["tile"]]
-    outcome = next(session.run("replay", scene, operations=inputs.operations, seed=given["seed"]))
+    scene = read_scene(Source(f"{task.key}.xml", given["scene"].encode())).scene
+    outcome = next(session.run("replay", scene, operations=operations, seed=given["seed"]))
     world = outcome.document
     told = _folded((*session.diagnostics, *outcome.diagnostics))
     if not isinstance(world, World) or any(d.severity is Severity.ERROR for d in told):
@@ -41,27 +40,15 @@ def replay_tile(task: Task, shared: Shared) -> Finished:
     return Finished(task.key, "done", files, _summary(world), told)
 
 
-@dataclass(frozen=True)
-class _Inputs:
-    """What a worker makes of shared files, once."""
-
-    operations: Operations
-    tiles: tuple[Scene, ...]
-
-
 @lru_cache(maxsize=2)
-def _inputs(shared: Shared) -> _Inputs:
-    from layoutkit.cli.tiles import tiles_of
-    from layoutkit.documents import Source, read_scene
+def _operations(shared: Shared) -> Operations:
+    """Return the operations, read once in each process."""
     from layoutkit.documents.operations import read_operations_files
-    from layoutkit.operations.sites import sites_of
 
     host = RemoteSession.of_options(shared.options["session"], {}).host
-    files = {n.removeprefix(OPERATIONS): d for n, d in shared.files.items() if n.startswith(OPERATIONS)}
-    name = shared.options["operations"]
-    operations = read_operations_files(files, name, host.operations, host.constraints).operations
-    scene = read_scene(Source(SCENE, shared.files[SCENE])).scene
-    return _Inputs(operations, tiles_of(scene, sites_of(scene, operations.sites), shared.options["tile"]))
+    return read_operations_files(
+        shared.files, shared.options["operations"], host.operations, host.constraints
+    ).operations
 
 
 def _files(world: World, stem: str, options: Mapping[str, Any]) -> Iterator[tuple[str, bytes]]:

@@ -21,14 +21,14 @@ def tiles_of(scene: Scene, sites: Sequence[Scene], most: int) -> tuple[Scene, ..
     if len(sites) <= most:
         return (scene,)
     built = {polygon.name for site in sites for polygon in site.polygons}
-    around = [polygon for polygon in scene.polygons if polygon.name not in built]
+    around = [(p, _bounds(p)) for p in scene.polygons if p.name not in built]
     own = {polygon.name: polygon for polygon in scene.polygons}
     found = []
     for group in _groups(list(range(len(sites))), [_middle(site.polygons[0]) for site in sites], most):
         names = dict.fromkeys(polygon.name for number in sorted(group) for polygon in sites[number].polygons)
         polygons = tuple(own[name] for name in names)
         bounds = Scene("", scene.units, polygons).bounds
-        near = tuple(polygon for polygon in around if _meet(_bounds(polygon), bounds))
+        near = tuple(polygon for polygon, own_bounds in around if _meet(own_bounds, bounds))
         found.append(replace(scene, polygons=(*near, *polygons), placements=(), picture=None))
     return tuple(found)
 

@@ -18,12 +18,11 @@ from typing import TYPE_CHECKING
 
 from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.model import LearningSettings, Placement, PlacementModel, Scene, World
-from layoutkit.operations import Branch, Context, Design, Node, Operation, Operations, Site
+from layoutkit.operations import Branch, Context, Design, Node, Operation, Operations
 from layoutkit.operations.operation import Scope
-from layoutkit.operations.sites import number_of, sites_of
 from layoutkit_operations.kinds.place import Place
 from layoutkit_operations.kinds.select import Select
-from layoutkit_operations.replaying import Replay
+from layoutkit_operations.replaying import Replay, Replayed, replayed
 from layoutkit_operations.standing import Standing
 
 if TYPE_CHECKING:
@@ -54,7 +53,7 @@ class Recorder:
         self._scene, self._sites, self._seed = scene, tuple(sites), seed
         self._stages = stages or _runner()
         self._roots: list[_Draft] = []
-        self._made: list[_Made] | None = None
+        self._made: Replayed | None = None
 
     def do(self, operation: Operation) -> Step:
         """Make an operation on the whole scene: a root of the tree."""
@@ -72,15 +71,16 @@ class Recorder:
     @property
     def world(self) -> World:
         """The example scene as it is now, in three dimensions."""
-        from layoutkit_operations.finishing.dressing import Photos
-        from layoutkit_operations.finishing.worlds import world_of
-
-        return world_of(self._scene, [made.site for made in self._replayed()], Photos())
+        return self._replayed().world
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """What operations had to say."""
-        return tuple(dict.fromkeys(told for made in self._replayed() for told in made.replay.context.told))
+        """What operations had to say, and what is wrong with what they came to."""
+        from layoutkit_operations.checking import faults_of
+
+        made = self._replayed()
+        faults = (fault for body in made.world.bodies for fault in faults_of(body))
+        return tuple(dict.fromkeys([*made.context.told, *faults]))
 
     def _added(self, drafts: list[_Draft], operation: Operation) -> Step:
         if faults := tuple(operation.faults()):
@@ -90,15 +90,11 @@ class Recorder:
         self._made = None
         return Step(self, draft)
 
-    def _replayed(self) -> list[_Made]:
-        """Return the sites as they are after all that was recorded; it is replayed once."""
+    def _replayed(self) -> Replayed:
+        """Return what all that was recorded comes to; it is replayed once."""
         if self._made is None:
-            operations = self.operations(self._scene.name)
-            self._made = []
-            for own in sites_of(self._scene, self._sites):
-                entropy = (self._seed, number_of(self._scene.name, own.name))
-                replay = Replay(operations, Context(self._stages, entropy))
-                self._made.append(_Made(replay, replay.on(Site.of(own))))
+            context = Context(self._stages, (self._seed,))
+            self._made = replayed(self.operations(self._scene.name), self._scene, context)
         return self._made
 
     def _number(self, draft: _Draft) -> int:
@@ -178,7 +174,7 @@ class Step:
     def output(self) -> Scope:
         """Names of what this step made, over all sites."""
         number = self.recorder._number(self.draft)
-        return tuple(name for made in self.recorder._replayed() for name in self._of(made.replay, number))
+        return tuple(name for own in self.recorder._replayed().replays for name in self._of(own, number))
 
     def scene(self, name: str) -> Scene:
         """Return the scene that shapes would be placed in, in an element or on a surface of a name.
@@ -188,9 +184,9 @@ class Step:
         Faulty
             If there is no such name (LK889).
         """
-        for made in self.recorder._replayed():
-            if name in made.site.elements or name in made.site.surfaces:
-                found = next(iter(Standing(made.site).scenes(name)), None)
+        for site in self.recorder._replayed().sites:
+            if name in site.elements or name in site.surfaces:
+                found = next(iter(Standing(site).scenes(name)), None)
                 if found is not None:
                     return found[1]
         raise Faulty([_unknown(name, self.output)])
@@ -269,14 +265,6 @@ class _Draft:
 class _DraftBranch:
     weight: float
     children: list[_Draft] = field(default_factory=list)
-
-
-@dataclass(frozen=True)
-class _Made:
-    """A site after its replay."""
-
-    replay: Replay
-    site: Site
 
 
 def _runner() -> Runner:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
+from layoutkit.model import Scene, World
 from layoutkit.operations import Branch, Context, Node, Operations, Site
 from layoutkit.operations.operation import Scope
+from layoutkit.operations.sites import number_of, sites_of
 
 #: Chance of an operation, and of dealing out what it made.
 _DOING, _DEALING = 0, 1
@@ -57,6 +60,54 @@ class Replay:
             self.parts[number, index] = part
             site = self._all(node.branches[index].children, part, site)
         return site
+
+
+@dataclass(frozen=True)
+class Replayed:
+    """What a replay came to.
+
+    Attributes
+    ----------
+    scene
+        It was made on.
+    replays, sites
+        One each for every site of the scene, in document order.
+    given
+        Names of the polygons that sites began with.
+    context
+        With what was told.
+    """
+
+    scene: Scene
+    replays: tuple[Replay, ...]
+    sites: tuple[Site, ...]
+    given: frozenset[str]
+    context: Context
+
+    @cached_property
+    def world(self) -> World:
+        """All of it in three dimensions."""
+        from layoutkit_operations.finishing.dressing import Photos
+        from layoutkit_operations.finishing.worlds import world_of
+
+        return world_of(self.scene, self.given, self.sites, Photos())
+
+
+def replayed(operations: Operations, scene: Scene, context: Context) -> Replayed:
+    """Make the operations of a tree on every site of a scene.
+
+    Parameters
+    ----------
+    context
+        Its chance begins with the seed; each site has a part of it by its name.
+    """
+    replays, sites = [], []
+    given: set[str] = set()
+    for own in sites_of(scene, operations.sites):
+        replays.append(Replay(operations, context.within(number_of(scene.name, own.name))))
+        sites.append(replays[-1].on(Site.of(own)))
+        given |= {polygon.name for polygon in own.polygons}
+    return Replayed(scene, tuple(replays), tuple(sites), frozenset(given), context)
 
 
 def dealt_out(output: Scope, branches: Sequence[Branch], context: Context) -> Iterator[Scope]:

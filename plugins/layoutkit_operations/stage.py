@@ -51,13 +51,10 @@ class ReplayOperations(Stage):
         Faulty
             If there are no operations, or no way to run stages, or the units differ (LK881).
         """
-        from layoutkit.operations import Context, Site
-        from layoutkit.operations.sites import number_of, sites_of
+        from layoutkit.operations import Context
         from layoutkit.sizing.threads import single_threaded
         from layoutkit_operations.checking import faults_of
-        from layoutkit_operations.finishing.dressing import Photos
-        from layoutkit_operations.finishing.worlds import world_of
-        from layoutkit_operations.replaying import Replay
+        from layoutkit_operations.replaying import replayed
 
         operations, stages = options.operations, options.stages
         if operations is None or stages is None:
@@ -65,12 +62,9 @@ class ReplayOperations(Stage):
         check_units(operations, scene)
         start = time.perf_counter()
         context = Context(stages, (options.seed,))
-        built = []
         with single_threaded():
-            for own in sites_of(scene, operations.sites):
-                context_of_site = context.within(number_of(scene.name, own.name))
-                built.append(Replay(operations, context_of_site).on(Site.of(own)))
-            world = world_of(scene, built, context.kept.setdefault("photos", Photos()))
+            made = replayed(operations, scene, context)
+            world = made.world
         faults = [fault for body in world.bodies for fault in faults_of(body)]
         yield Outcome("found", world, (*context.told, *faults), time.perf_counter() - start)
 

@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 from layoutkit.batch import Finished, Shared, Task
+from layoutkit.batch.journal import JOURNAL_FILE
 from layoutkit.diagnostics import Diagnostic, Faulty
 
 
@@ -58,3 +59,12 @@ def large(task: Task, shared: Shared) -> Finished:
 
 def outside(task: Task, shared: Shared) -> Finished:
     return Finished(task.key, "done", (("../outside.txt", b""),))
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Return all files of a folder but the journal, by name."""
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in folder.rglob("*")
+        if path.is_file() and path.name != JOURNAL_FILE
+    }

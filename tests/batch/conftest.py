@@ -8,9 +8,9 @@ from typing import Any
 
 import batch_work
 import pytest
+from batch_work import contents
 
 from layoutkit.batch import Plan, Shared, Task
-from layoutkit.batch.journal import JOURNAL_FILE
 
 Squares = Callable[..., Plan]
 
@@ -35,15 +35,6 @@ def squares() -> Squares:
         )
 
     return make
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    """Return all files of a folder but the journal, by name."""
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes()
-        for path in folder.rglob("*")
-        if path.is_file() and path.name != JOURNAL_FILE
-    }
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import contents
+from batch_work import contents
 
 from layoutkit.batch.journal import JOURNAL_FILE
 from layoutkit.documents import check, read

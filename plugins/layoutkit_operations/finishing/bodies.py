@@ -169,11 +169,17 @@ def _told(surface: Surface, site: Site) -> BodySurface:
 
 
 def standing_on(element: Element, site: Site) -> str:
-    """Return the name of the solid, or the polygon of the ground, that an element stands on; or nothing."""
+    """Return the name of the solid, or the polygon of the ground, that an element stands on; or nothing.
+
+    Where what it was placed in is gone, it is what that was placed in: names tell.
+    """
     under = site.surfaces[element.surface].solid
     if under:
         return under
-    return element.parent if element.parent in site.elements else ""
+    parent = element.parent
+    while parent and parent not in site.elements:
+        parent = parent.rpartition(".")[0]
+    return parent
 
 
 def _number_of(path: str, numbers: dict[str, int]) -> int:

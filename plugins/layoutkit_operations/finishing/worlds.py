@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from layoutkit.model import Polygon, Scene, World
 from layoutkit.operations import Site
@@ -11,27 +11,28 @@ from layoutkit_operations.finishing.bodies import body_of
 from layoutkit_operations.finishing.dressing import Photos
 
 
-def world_of(scene: Scene, sites: Sequence[Site], photos: Photos) -> World:
+def world_of(scene: Scene, given: Collection[str], sites: Sequence[Site], photos: Photos) -> World:
     """Return what sites came to, in the scene that they are of.
 
     Parameters
     ----------
     scene
         With everything that is in no site, too; it lies on the ground as it is.
+    given
+        Names of the polygons that sites began with: what is gone of them was taken away.
     sites
         After all operations.
     photos
         Pictures of designs, decoded once for any number of worlds.
     """
     bodies = tuple(body_of(solid, site, photos) for site in sites for solid in site.solids.values())
-    built = {name for site in sites for name, element in site.elements.items() if element.solid}
     flat: dict[str, Polygon] = {}
     for site in sites:
         for element in site.on(GROUND_NAME):
             # An outer site has the polygons of those inside it, too, without their labels.
             if not element.solid and (element.labels or element.name not in flat):
                 flat[element.name] = element.polygon
-    around = [p for p in scene.settled().polygons if p.name not in flat and p.name not in built]
+    around = [p for p in scene.settled().polygons if p.name not in given]
     shown = {skin.picture for body in bodies for skin in body.skins}
     known = dict(photos.files())
     for site in sites:

@@ -48,33 +48,40 @@ class Array(Operation):
 
         made: list[Element] = []
         for name in scope:
-            for surface, polygon in _boxes(name, site):
+            for surface, polygon in self._boxes(name, site, context):
                 box = box_about(polygon, self.label)
                 box = replace(box, width=box.width - 2 * self.margin, height=box.height - 2 * self.margin)
                 if box.width <= 0 or box.height <= 0:
-                    context.report(self._no_room(name))
+                    context.report(self._remark(f"{name} has no room within a margin of {self.margin:g}"))
+                    continue
+                try:
+                    shapes = fill([box], self._spacing)
+                except Faulty as faulty:
+                    context.report(
+                        *(self._remark(f"{name}: {d.message}", d.hint) for d in faulty.diagnostics)
+                    )
                     continue
                 names = site.free_names(name, self.label)
                 made += (
                     Element(next(names), (self.label,), surface, shape.points, shape.angle, parent=name)
-                    for shape in fill([box], self._spacing)
+                    for shape in shapes
                 )
         return Result(site.with_elements(*made), tuple(element.name for element in made))
 
-    def _no_room(self, name: str) -> Diagnostic:
-        message = f"{name} has no room within a margin of {self.margin:g}, and is not filled"
-        hint = "choose a smaller margin"
+    def _boxes(self, name: str, site: Site, context: Context) -> Iterator[tuple[str, Polygon]]:
+        """Yield the surface and the polygon that a name stands for: an element's, or a surface's own."""
+        element = site.elements.get(name)
+        if element is not None and element.solid:
+            context.report(self._remark(f"{name} is a solid", "select its surfaces, or flat elements"))
+        elif element is not None:
+            yield element.surface, element.polygon
+        elif name in site.surfaces and site.surfaces[name].outlines:
+            yield name, site.scene(name).polygons[0]
+
+    def _remark(self, message: str, hint: str = "choose a smaller margin") -> Diagnostic:
+        message += ", and is not filled"
         return Diagnostic("LK883", message, self.place, hint, Severity.WARNING, "operations")
 
     @property
     def _spacing(self) -> Spacing:
         return Spacing(self.each_width, self.each_height, self.gap_across, self.gap_up)
-
-
-def _boxes(name: str, site: Site) -> Iterator[tuple[str, Polygon]]:
-    """Yield the surface and the polygon that a name stands for: an element's, or a surface's own."""
-    element = site.elements.get(name)
-    if element is not None:
-        yield element.surface, element.polygon
-    elif name in site.surfaces:
-        yield name, site.scene(name).polygons[0]

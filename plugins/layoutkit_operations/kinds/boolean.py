@@ -41,6 +41,8 @@ class Boolean(Operation):
 
     def apply(self, scope: Scope, site: Site, context: Context) -> Result:
         """Return the site with combined solids, and the elements whose surfaces are parts of these now."""
+        from layoutkit_operations.solids.booleans import InexactError
+
         done: dict[str, None] = {}
         for name in scope:
             element = site.elements.get(name)
@@ -54,7 +56,13 @@ class Boolean(Operation):
                 self._remark(context, f"{name} {what}", "combine what was extruded, with a cap")
                 continue
             combined = self._with_surface if self.with_ == "surface" else self._with_intersecting
-            if (after := combined(element, solid, site, context)) is not None:
+            try:
+                after = combined(element, solid, site, context)
+            except InexactError as error:
+                hint = "move it a little, or install another release of manifold3d"
+                self._remark(context, str(error), hint)
+                continue
+            if after is not None:
                 site, done[name] = after, None
         return Result(site, tuple(done))
 

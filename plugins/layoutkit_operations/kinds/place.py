@@ -95,7 +95,8 @@ class Place(Operation):
             threshold=self.threshold,
             spacing=None if self._spacing == Spacing() else self._spacing,
         )
-        context.report(*(replace(told, message=f"{name}: {told.message}") for told in apart.told))
+        told = (replace(told, message=f"{name}: {told.message}", place=self.place) for told in apart.told)
+        context.report(*told)
         if outcome is None or not isinstance(outcome.document, Scene):
             return ()
         return outcome.document.placements

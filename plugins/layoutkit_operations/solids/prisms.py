@@ -18,6 +18,8 @@ from layoutkit_operations.solids.roofs import convex, eaves_of_gable, planes, pr
 Cap = Literal["flat", "gable", "hip", "none"]
 #: Sides by where they look, in quarters of a turn from the outline's own x axis.
 _QUARTERS = ("Right", "Back", "Left", "Front")
+#: Sides that look between two of them, as of an octagon, belong to the one before, whatever the rounding.
+_TIE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +109,7 @@ class Prism:
         (x0, y0), (x1, y1) = (point.tolist() for point in self._ends(edge))
         looks = math.degrees(math.atan2(x0 - x1, y1 - y0)) - self.angle
         further = self.labels[edge] if self.labels else ()
-        return tuple(dict.fromkeys(("Side", _QUARTERS[round(looks / 90) % 4], *further)))
+        return tuple(dict.fromkeys(("Side", _QUARTERS[round(looks / 90 - _TIE) % 4], *further)))
 
     def _facet(self, flat: Array, out: float | Array, labels: tuple[str, ...]) -> Facet:
         return Facet(in_space(flat, self.frame, out), labels, turned(self.frame, self.angle))

@@ -57,8 +57,8 @@ def solid_of(
 def found_again(solid: Solid, surfaces: Mapping[str, Surface]) -> Iterator[Surface]:
     """Yield the surfaces that a solid still has, with what can be seen of them now.
 
-    Surfaces that look the other way round, as those of what was taken away do, are turned. Of slivers, nothing
-    is told to be seen.
+    Surfaces that look the other way round, as those of what was taken away do, are turned. Slivers have no
+    outlines.
     """
     size = float(np.ptp(solid.points, axis=0).max())
     for number, name in enumerate(solid.surfaces):

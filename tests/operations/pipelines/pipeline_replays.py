@@ -7,7 +7,6 @@ import shapely
 from layoutkit.documents import read_operations, read_scene
 from layoutkit.model import Scene, World
 from layoutkit.operations import Context, Operations, Site
-from layoutkit.operations.sites import number_of
 from layoutkit.samples import list_pipelines
 
 
@@ -30,13 +29,10 @@ def documents_of(name, host) -> tuple[Operations, Scene]:
 
 def replayed(operations, scene, stages, seed) -> Replayed:
     """What comes of operations without sites on a scene."""
-    from layoutkit_operations.finishing.dressing import Photos
-    from layoutkit_operations.finishing.worlds import world_of
-    from layoutkit_operations.replaying import Replay
+    from layoutkit_operations import replaying
 
-    context = Context(stages, (seed, number_of(scene.name, scene.name)))
-    site = Replay(operations, context).on(Site.of(scene))
-    return Replayed(scene, site, world_of(scene, [site], Photos()), tuple(context.told))
+    made = replaying.replayed(operations, scene, Context(stages, (seed,)))
+    return Replayed(scene, made.sites[0], made.world, tuple(made.context.told))
 
 
 def placed(site, label):

@@ -9,7 +9,6 @@ from facades.painting.canvas import paint
 from layoutkit.documents import check, read
 from layoutkit.model import Facade, Scene, World
 from layoutkit.operations import Context, Site
-from layoutkit.operations.sites import number_of, sites_of
 from layoutkit.samples import list_pipelines
 
 
@@ -25,16 +24,10 @@ class Built:
 
 def built(operations, scene, stages, seed) -> Built:
     """What comes of operations on the sites of a scene."""
-    from layoutkit_operations.finishing.dressing import Photos
-    from layoutkit_operations.finishing.worlds import world_of
-    from layoutkit_operations.replaying import Replay
+    from layoutkit_operations.replaying import replayed
 
-    context, sites = Context(stages, (seed,)), {}
-    for own in sites_of(scene, operations.sites):
-        chance = context.within(number_of(scene.name, own.name))
-        sites[own.name] = Replay(operations, chance).on(Site.of(own))
-    world = world_of(scene, list(sites.values()), Photos())
-    return Built(scene, sites, world, tuple(context.told))
+    made = replayed(operations, scene, Context(stages, (seed,)))
+    return Built(scene, {site.name: site for site in made.sites}, made.world, tuple(made.context.told))
 
 
 def dressed(site):

@@ -18,13 +18,10 @@ from built import box, open_edges
 
 from layoutkit.documents.operations import read_operations
 from layoutkit.model import Polygon, Scene
-from layoutkit.operations import Context, Site
-from layoutkit.operations.sites import number_of, sites_of
+from layoutkit.operations import Context
 from layoutkit.pictures.worlds.glb import render_world_glb
 from layoutkit.sizing.threads import single_threaded
-from layoutkit_operations.finishing.dressing import Photos
-from layoutkit_operations.finishing.worlds import world_of
-from layoutkit_operations.replaying import Replay
+from layoutkit_operations import replaying
 
 FACADES = Path(__file__).parents[3] / "facades"
 #: Where the coordinates of surveys lie, in metres.
@@ -44,12 +41,8 @@ class Pipeline:
 
     def replayed(self, stages, scene, seed):
         """The world that comes of a scene, and the sites that it is made of."""
-        context = Context(stages, (seed,), kept=self.kept)
-        sites = [
-            Replay(self.operations, context.within(number_of(scene.name, own.name))).on(Site.of(own))
-            for own in sites_of(scene, self.operations.sites)
-        ]
-        return world_of(scene, sites, self.kept.setdefault("photos", Photos())), sites
+        made = replaying.replayed(self.operations, scene, Context(stages, (seed,), kept=self.kept))
+        return made.world, list(made.sites)
 
 
 @pytest.fixture(scope="module")
