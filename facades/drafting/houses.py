@@ -44,8 +44,8 @@ def scenes() -> tuple[Scene, ...]:
 def operations() -> Operations:
     """Return the session that makes houses of plots."""
     session = Recorder(village(), sites=(PLOT, SURVEYED))
-    session.select(PLOT).do(Place(model=at_street(), limit=1, threshold=0.08))
-    session.select(SURVEYED).do(Place(model=anywhere(), limit=1, threshold=0.08))
+    session.select(PLOT).do(Place(model=at_street(), limit=1, threshold=0.0, inside=1.0))
+    session.select(SURVEYED).do(Place(model=anywhere(), limit=1, threshold=0.0, inside=1.0))
     _planted(session)
     houses = session.select("House")
     tall, low, winged, modern = houses.split(3, 2, 3, 2)

@@ -10,10 +10,17 @@ from layoutkit.constraints.attributes import attribute
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.documents.grammar import AMOUNT, SIZE, WHOLE
 from layoutkit.model import Placement, PlacementModel, Scene, Spacing
+from layoutkit.model.face import Point
 from layoutkit.model.outline import inside
 from layoutkit.operations import Context, Element, Operation, Result, Site
 from layoutkit.operations.attributes import held
 from layoutkit.operations.operation import Scope
+from layoutkit.scenes.spacing import check, fill
+
+#: What shapes are placed within.
+Outlines = tuple[tuple[Point, ...], ...]
+#: Shares of an area below this are rounding.
+_NEAR = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,6 +36,11 @@ class Place(Operation):
     limit: int | None = attribute(WHOLE, "How many are placed at most in each; left out: all.", None)
     threshold: float = attribute(AMOUNT, "The least score; an example has about 1.", 0.3)
     share: float = attribute(AMOUNT, "With what probability each is kept, the others are left out.", 1.0)
+    inside: float = attribute(
+        AMOUNT,
+        "The least share of its area by which each has to lie inside what it is placed in: 1 for all of it.",
+        0.0,
+    )
     each_width: float | None = attribute(
         SIZE, "Fill placements along their width with shapes of this width.", None
     )
@@ -41,13 +53,13 @@ class Place(Operation):
 
     def faults(self) -> Iterator[Diagnostic]:
         """Yield what makes no sense."""
-        from layoutkit.scenes.spacing import check
-
         if self.model is None:
             hint = "put the placement model in it that `layoutkit learn` writes"
             yield self._fault("there is no <placement-model>", hint)
         if self.limit == 0:
             yield self._fault("limit is 0", "let at least one be placed, or leave it away")
+        if self.inside > 1:
+            yield self._fault(f"inside is {self.inside:g}", "choose a share of at most 1")
         if not 0 < self.share <= 1:
             yield self._fault(f"share is {self.share:g}", "choose more than 0 and at most 1")
         try:
@@ -64,42 +76,79 @@ class Place(Operation):
 
         made: list[Element] = []
         names: dict[str, Iterator[str]] = {}
-        label = self.model.label if self.model is not None else ""
+        label = self._label
         seen = Standing(site).scenes if self._apart else Standing(site).surroundings
         scenes = ((name, *own) for name in scope for own in seen(name))
         for number, (name, surface, scene) in enumerate(scenes):
             if name not in names:
                 names[name] = site.free_names(name, label or "Placed")
-            placed = self._placed(scene, name, context)
-            if not self._apart and (element := site.elements.get(name)) is not None and not element.solid:
-                placed = tuple(shape for shape in placed if inside((shape.x, shape.y), element.points))
-            for shape in self._kept(placed if self._apart else placed[: self.limit], context, number):
+            placed = self._placed(scene, _outlines(name, surface, site), name, context)
+            for shape in self._kept(placed, context, number):
                 labels = (label,) if label else ()
                 own = Element(next(names[name]), labels, surface, shape.points, shape.angle, parent=name)
                 made.append(own)
         return Result(site.with_elements(*made), tuple(element.name for element in made))
 
     @property
+    def _label(self) -> str:
+        return self.model.label if self.model is not None else ""
+
+    @property
     def _apart(self) -> bool:
         """Whether what is placed in an element is related only to what is inside it."""
         return self.model is None or self.model.settings.hierarchy
 
-    def _placed(self, scene: Scene, name: str, context: Context) -> tuple[Placement, ...]:
-        """Return what is placed in a scene, the best first."""
+    def _placed(self, scene: Scene, outlines: Outlines, name: str, context: Context) -> tuple[Placement, ...]:
+        """Return what is placed in a scene within outlines, the best first."""
         apart = replace(context, told=[])
+        chosen = self.inside > 0 or not self._apart
         outcome = apart.run(
             "place",
             scene,
-            model=self.model,
-            limit=self.limit if self._apart else None,
+            model=self._asked,
+            limit=None if chosen else self.limit,
             threshold=self.threshold,
-            spacing=None if self._spacing == Spacing() else self._spacing,
+            spacing=None if chosen or self._spacing == Spacing() else self._spacing,
         )
         told = (replace(told, message=f"{name}: {told.message}", place=self.place) for told in apart.told)
         context.report(*told)
         if outcome is None or not isinstance(outcome.document, Scene):
             return ()
-        return outcome.document.placements
+        if not chosen:
+            return outcome.document.placements
+        found = self._within(outcome.document.placements, outlines)
+        if outcome.document.placements and not found:
+            message = f"{name}: none of {len(outcome.document.placements)} places for {self._label} is inside"
+            hint = "lower inside, or show smaller examples"
+            context.report(Diagnostic("LK875", message, self.place, hint, Severity.WARNING, "operations"))
+        return found if self._spacing == Spacing() else fill(found, self._spacing)
+
+    @property
+    def _asked(self) -> PlacementModel | None:
+        """The model; where places are looked through afterwards, with all that overlap each other."""
+        if self.model is None or not self.inside:
+            return self.model
+        return replace(self.model, settings=replace(self.model.settings, overlapping=True))
+
+    def _within(self, placed: Sequence[Placement], outlines: Outlines) -> tuple[Placement, ...]:
+        """Return the best placements that lie far enough inside outlines, apart from each other."""
+        import shapely
+
+        overlapping = self.model is not None and self.model.settings.overlapping
+        own = shapely.union_all(shapely.make_valid([shapely.Polygon(outline) for outline in outlines]))
+        kept: list[Placement] = []
+        taken = shapely.Polygon()
+        for shape in placed:
+            box = shapely.Polygon(shape.points)
+            near = _NEAR * box.area
+            within = shapely.intersection(box, own).area >= self.inside * box.area - near
+            centred = any(inside((shape.x, shape.y), outline) for outline in outlines)
+            if within and centred and shapely.intersection(taken, box).area <= near:
+                kept.append(shape)
+                taken = taken if overlapping else shapely.union(taken, box)
+            if len(kept) == self.limit:
+                break
+        return tuple(kept)
 
     def _kept(self, placed: Sequence[Placement], context: Context, number: int) -> Iterator[Placement]:
         chance = context.random(number)
@@ -113,3 +162,11 @@ class Place(Operation):
 
     def _fault(self, message: str, hint: str) -> Diagnostic:
         return Diagnostic("LK882", f"<place>: {message}", self.place, hint, Severity.ERROR, "operations")
+
+
+def _outlines(name: str, surface: str, site: Site) -> Outlines:
+    """Return the outline of a flat element, or those of a surface."""
+    element = site.elements.get(name)
+    if element is not None and not element.solid:
+        return (element.points,)
+    return site.surfaces[surface].outlines

@@ -26,6 +26,7 @@ def park(documents, stages):
     return replayed(*documents, stages, seed=0)
 
 
+@pytest.mark.nightly
 def test_the_documents_are_those_that_the_scripts_draft():
     for file, data in pipeline_files("park"):
         assert file.read_bytes() == data, file.name
@@ -99,6 +100,7 @@ def test_rims_are_hollow(park):
     assert volume(rim) < 0.45 * (full.buffer(0.6).area - full.area)
 
 
+@pytest.mark.nightly
 def test_the_seed_decides_and_nothing_else_does(documents, stages):
     operations, scene = documents
     bed = replace(scene, polygons=tuple(p for p in scene.polygons if p.name in ("Plaza", "South_West_Bed_1")))

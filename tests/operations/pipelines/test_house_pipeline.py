@@ -126,6 +126,7 @@ def test_trees_stand_clear_of_houses(village):
     assert trees >= len(village.sites)
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("seed", [1, 2])
 def test_other_seeds_are_sound_as_well(documents, stages, seed):
     operations, scene = documents
@@ -142,14 +143,14 @@ def test_real_plots_get_houses_inside_of_them(documents, stages):
     operations, _ = documents
     scene, _ = stages.host.scene_formats.find("geopackage").read(REAL, "plots")
     roomy = [p for p in scene.polygons if is_roomy(shapely.Polygon(p.points))]
-    chosen = [roomy[n] for n in np.random.default_rng(5).choice(len(roomy), 20, replace=False)]
+    chosen = [roomy[n] for n in np.random.default_rng(5).choice(len(roomy), 8, replace=False)]
     found = built(operations, Scene(scene.name, scene.units, tuple(chosen)), stages, seed=0)
     assert {diagnostic.code for diagnostic in found.told} <= {"LK875"}
     assert [fault for body in found.world.bodies for fault in faults_of(body)] == []
     housed = [site for site in found.sites.values() if houses_in(site)]
     inside = [site for site in housed if footprint(site).difference(ground_of(site)).area < 1e-6]
-    assert len(housed) >= 19
-    assert len(inside) >= 19
+    assert len(housed) >= 7
+    assert len(inside) >= 7
 
 
 def is_roomy(plot):

@@ -28,6 +28,7 @@ def flat(documents, stages):
     return replayed(*documents, stages, seed=0)
 
 
+@pytest.mark.nightly
 def test_the_documents_are_those_that_the_scripts_draft():
     for file, data in pipeline_files("flat"):
         assert file.read_bytes() == data, file.name
@@ -115,6 +116,7 @@ def test_sinks_and_hobs_are_let_into_counters_beside_each_other(flat):
             assert sink.distance(hob) > 0
 
 
+@pytest.mark.nightly
 def test_the_seed_decides_and_nothing_else_does(documents, stages):
     operations, scene = documents
     kitchen = replace(scene, polygons=tuple(p for p in scene.polygons if p.name in ("Kitchen_A", "Door_A")))

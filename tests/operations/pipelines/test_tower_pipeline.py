@@ -114,6 +114,7 @@ def test_pavilions_are_round_under_hips(quarter):
         assert sum("Side" in surface.labels for surface in body.surfaces) == 8
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("seed", [1, 2])
 def test_other_seeds_are_sound_as_well(documents, stages, seed):
     operations, scene = documents

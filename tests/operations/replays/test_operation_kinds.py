@@ -115,6 +115,16 @@ def test_what_is_related_to_all_that_is_near_is_placed_in_the_scope_alone(stages
     assert 60 < shapely.Polygon(own.elements["B.Hut_1"].points).centroid.x < 80
 
 
+def test_what_has_to_be_inside_is_put_where_it_is_even_if_another_place_is_better(stages):
+    model = learned(stages, one=[Placement(17, 4, 8, 6)])
+    plot = site(box(0, 0, 20, 16))
+    reach, _ = Place(model=model, limit=1, threshold=0).apply(("A",), plot, context(stages))
+    held, output = Place(model=model, limit=1, threshold=0, inside=1).apply(("A",), plot, context(stages))
+    ground = shapely.box(0, 0, 20, 16)
+    assert not ground.buffer(1e-3).covers(shapely.Polygon(reach.elements["A.Hut_1"].points))
+    assert all(ground.buffer(1e-3).covers(shapely.Polygon(held.elements[name].points)) for name in output)
+
+
 def test_a_share_of_what_is_placed_is_kept(stages):
     model = learned(stages, one=[Placement(5, 4, 4, 3)])
     outlines = [box(40 * n, 0, 20, 16) for n in range(12)]
@@ -171,7 +181,14 @@ def test_an_edit_that_cannot_be_made_leaves_the_facade(stages, tmp_path):
 
 @pytest.mark.parametrize(
     "operation",
-    [Place(), Place(limit=0), Place(share=0), Array(label="A", gap_up=1), Array(label="A", each_width=-1)],
+    [
+        Place(),
+        Place(limit=0),
+        Place(share=0),
+        Place(inside=2),
+        Array(label="A", gap_up=1),
+        Array(label="A", each_width=-1),
+    ],
 )
 def test_what_makes_no_sense_is_a_fault(operation):
     assert {d.code for d in operation.faults()} == {"LK882"}
