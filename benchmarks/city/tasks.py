@@ -15,8 +15,7 @@ import numpy as np
 from benchmarks.city.runs import OPERATIONS
 from benchmarks.memory import Peak
 from layoutkit.batch import Finished, Plan, Runner, Shared, Task, Watching, carry_out
-from layoutkit.cli.replayed import OPERATIONS as INSIDE
-from layoutkit.cli.replayed import SCENE, replay_tile
+from layoutkit.cli.replayed import replay_tile
 from layoutkit.cli.tiles import tiles_of
 from layoutkit.documents import Source, read_scene, scene_bytes
 from layoutkit.documents.operations import read_operations
@@ -106,13 +105,16 @@ def replays(scene: Scene, tile: int) -> list[Task]:
     """Return the tasks of a replay, each of which says how long it took."""
     host = Host.load()
     document = read_operations(OPERATIONS, host.operations, host.constraints)
-    files = {f"{INSIDE}{own}": data for own, data in document.files.items()}
-    shared = Shared({SCENE: scene_bytes(scene), **files}, {**_OPTIONS, "tile": tile})
-    tiles = tiles_of(scene, sites_of(scene, _PLOTS), tile)
+    shared = Shared(document.files, {**_OPTIONS, "tile": tile})
     return [
-        Task(f"t{number}", _timed, {"tile": number, "seed": 0, "stem": f"t{number}", "plots": plots}, shared)
-        for number, plots in enumerate(map(_count, tiles))
+        Task(f"t{number}", _timed, _arguments(part, names, f"t{number}"), shared)
+        for number, (part, names) in enumerate(tiles_of(scene, sites_of(scene, _PLOTS), tile))
     ]
+
+
+def _arguments(part: Scene, names: Sequence[str], stem: str) -> dict[str, Any]:
+    text = scene_bytes(part).decode()
+    return {"scene": text, "sites": list(names), "seed": 0, "stem": stem, "plots": len(names)}
 
 
 def idle(count: int, size: int) -> list[Task]:
@@ -153,7 +155,7 @@ def prepared(scene: Scene, tile: int) -> Preparation:
 
 
 def _steps(data: bytes, tile: int) -> Iterator[None]:
-    scene = read_scene(Source(SCENE, data)).scene
+    scene = read_scene(Source("scene.xml", data)).scene
     yield
     sites = sites_of(scene, _PLOTS)
     yield

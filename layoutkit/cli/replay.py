@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -26,6 +26,7 @@ from layoutkit.cli.replayed import replay_tile, side_of
 from layoutkit.cli.scene_files import Part
 from layoutkit.cli.scenes import read_scene
 from layoutkit.cli.session import Session
+from layoutkit.diagnostics import Diagnostic, Faulty, Place
 from layoutkit.model import Scene
 
 if TYPE_CHECKING:
@@ -102,8 +103,8 @@ def replay(
 ) -> int:
     """Make the operations of a recorded session again on other scenes, in three dimensions.
 
-    Every scene becomes a model, and pictures of it from two sides, for every seed. Where the operations say
-    which polygons are sites of their own, large scenes are divided into tiles of near sites, each with a
+    Every scene becomes a model, and pictures of it from two sides, for every seed; of several scenes, each
+    has a folder of its own. Where the operations say which polygons are sites of their own, large scenes are divided into tiles of near sites, each with a
     model of its own. DIR/manifest.json lists all. The bytes are the same whoever does the work: this process,
     several, or a cluster.
 
@@ -126,6 +127,8 @@ def replay(
         name: read_scene(session, file, part) for name, file in zip(names_of(files), files, strict=True)
     }
     plan = _plan(document, scenes, seeds, options, session)
+    inputs = {operations_file, *files, *(operations_file.parent / own for own in document.files)}
+    _refuse_own_inputs(plan.tasks, inputs, output)
     return carried_out(session, plan, output, runner, afresh=afresh, as_json=as_json, what="models")
 
 
@@ -158,14 +161,23 @@ def _plan(
 ) -> Plan:
     from layoutkit.batch import Plan
 
-    tasks = [task for name, scene in scenes.items() for task in _tasks(document, name, scene, seeds, options)]
+    tasks = [
+        task
+        for name, scene in scenes.items()
+        for task in _tasks(document, name, f"{name}/" if len(scenes) > 1 else "", scene, seeds, options)
+    ]
     plugins = {n: f"{o.package} {o.version}" for n, o in session.host.origins.items() if not o.ours}
     told = {"scenes": list(scenes), "seeds": list(seeds.numbers), **options, "plugins": plugins}
     return Plan("replay", tasks, told)
 
 
 def _tasks(
-    document: OperationsDocument, name: str, scene: Scene, seeds: Seeds, options: Mapping[str, Any]
+    document: OperationsDocument,
+    name: str,
+    folder: str,
+    scene: Scene,
+    seeds: Seeds,
+    options: Mapping[str, Any],
 ) -> Iterator[Task]:
     """Yield the tasks of a scene: one for each seed and tile."""
     from layoutkit.batch import Shared, Task
@@ -174,11 +186,23 @@ def _tasks(
     from layoutkit.operations.sites import sites_of
 
     plain = Scene(scene.name, scene.units, scene.settled().polygons)
-    tiles = tiles_of(plain, sites_of(plain, document.operations.sites), options["tile"])
+    sites = sites_of(plain, document.operations.sites)
+    parts = [(scene_bytes(tile).decode(), names) for tile, names in tiles_of(plain, sites, options["tile"])]
     shared = Shared(document.files, options)
     for seed in seeds.numbers:
-        for number, tile in enumerate(tiles, 1):
+        for number, (text, names) in enumerate(parts, 1):
             stem = name if len(seeds.numbers) == 1 else f"{name}-s{seed}"
-            stem += f"-{number:0{len(str(len(tiles)))}d}" if len(tiles) > 1 else ""
-            given = {"scene": scene_bytes(tile).decode(), "seed": seed, "stem": stem}
-            yield Task(stem, replay_tile, given, shared)
+            stem += f"-{number:0{len(str(len(parts)))}d}" if len(parts) > 1 else ""
+            given = {"scene": text, "sites": list(names), "seed": seed, "stem": f"{folder}{stem}"}
+            yield Task(f"{folder}{stem}", replay_tile, given, shared)
+
+
+def _refuse_own_inputs(tasks: Sequence[Task], inputs: Iterable[Path], output: Path) -> None:
+    """Raise `Faulty` if results might be written over what is read."""
+    stems = {(output / task.key).resolve() for task in tasks}
+    for file in sorted(inputs):
+        own = file.resolve()
+        if any(own.parent == stem.parent and own.name.startswith(stem.name) for stem in stems):
+            message, place = f"results could overwrite the input {file}", Place(str(output))
+            hint = f"name another folder with -o, such as {output / 'replayed'}"
+            raise Faulty([Diagnostic("LK704", message, place, hint, topic="usage")])

@@ -23,7 +23,8 @@ _TOLD = 2
 def replay_tile(task: Task, shared: Shared) -> Finished:
     """Replay operations on a tile, and return its models and views.
 
-    The arguments are ``scene``, the document of the tile; ``seed``; and ``stem``, what its files are called.
+    The arguments are ``scene``, the document of the tile, and ``sites``, the names of those that are built in
+    it; ``seed``; and ``stem``, what its files are called.
     """
     from layoutkit.batch import Finished
     from layoutkit.documents import Source, read_scene
@@ -31,7 +32,8 @@ def replay_tile(task: Task, shared: Shared) -> Finished:
     given, operations = task.arguments, _operations(shared)
     session = RemoteSession.of_options(shared.options["session"], {})
     scene = read_scene(Source(f"{task.key}.xml", given["scene"].encode())).scene
-    outcome = next(session.run("replay", scene, operations=operations, seed=given["seed"]))
+    asked = {"operations": operations, "seed": given["seed"], "sites": tuple(given["sites"])}
+    outcome = next(session.run("replay", scene, **asked))
     world = outcome.document
     told = _folded((*session.diagnostics, *outcome.diagnostics))
     if not isinstance(world, World) or any(d.severity is Severity.ERROR for d in told):

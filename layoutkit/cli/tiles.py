@@ -8,8 +8,10 @@ from dataclasses import replace
 from layoutkit.model import Polygon, Scene
 
 
-def tiles_of(scene: Scene, sites: Sequence[Scene], most: int) -> tuple[Scene, ...]:
-    """Return parts of a scene, each with some of its sites, near to each other, and what lies around them.
+def tiles_of(scene: Scene, sites: Sequence[Scene], most: int) -> tuple[tuple[Scene, tuple[str, ...]], ...]:
+    """Return parts of a scene with the names of the sites that are built on each, such as are near.
+
+    A part also has what lies around its sites, and the polygons of sites inside these.
 
     Parameters
     ----------
@@ -19,7 +21,7 @@ def tiles_of(scene: Scene, sites: Sequence[Scene], most: int) -> tuple[Scene, ..
         How many sites a tile has at most.
     """
     if len(sites) <= most:
-        return (scene,)
+        return ((scene, tuple(site.name for site in sites)),)
     built = {polygon.name for site in sites for polygon in site.polygons}
     around = [(p, _bounds(p)) for p in scene.polygons if p.name not in built]
     own = {polygon.name: polygon for polygon in scene.polygons}
@@ -29,7 +31,8 @@ def tiles_of(scene: Scene, sites: Sequence[Scene], most: int) -> tuple[Scene, ..
         polygons = tuple(own[name] for name in names)
         bounds = Scene("", scene.units, polygons).bounds
         near = tuple(polygon for polygon, own_bounds in around if _meet(own_bounds, bounds))
-        found.append(replace(scene, polygons=(*near, *polygons), placements=(), picture=None))
+        part = replace(scene, polygons=(*near, *polygons), placements=(), picture=None)
+        found.append((part, tuple(sites[number].name for number in sorted(group))))
     return tuple(found)
 
 

@@ -34,7 +34,7 @@ _AGAIN = 3.0
 #: A call that goes on after so many interruptions cannot be interrupted.
 _MOST = 3
 #: The module from which commands run stages, which may take as long as their work does.
-_RUNS_STAGES = "layoutkit.cli.session"
+_RUNS_STAGES = "layoutkit.hooks.running"
 
 #: What to do with a diagnostic that says which plugin cannot be interrupted: tell it, and end the program.
 Ending = Callable[[Diagnostic], None]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Protocol
@@ -12,6 +13,11 @@ if TYPE_CHECKING:
     from numpy.random import Generator
 
     from layoutkit.hooks.specs import Outcome
+
+
+def named(name: str) -> int:
+    """Return a number for a name, by which chance hangs on nothing else."""
+    return zlib.crc32(name.encode())
 
 
 class Stages(Protocol):
@@ -39,7 +45,7 @@ class Context:
 
     stages: Stages
     entropy: tuple[int, ...]
-    told: list[Diagnostic] = field(default_factory=list)
+    told: dict[Diagnostic, None] = field(default_factory=dict)
     kept: dict[Any, Any] = field(default_factory=dict)
 
     def random(self, *which: int) -> Generator:
@@ -70,4 +76,4 @@ class Context:
 
     def report(self, *diagnostics: Diagnostic) -> None:
         """Add to what is told, each once."""
-        self.told.extend(d for d in dict.fromkeys(diagnostics) if d not in self.told)
+        self.told.update(dict.fromkeys(diagnostics))

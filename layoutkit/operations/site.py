@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
     from layoutkit.operations.resources import Design
 
-#: The name of the surface that a scene's polygons lie on.
-GROUND_NAME = "Ground"
+#: The name of the surface that a scene's polygons lie on: polygons' names do not begin so.
+GROUND_NAME = "/Ground"
 #: Edges that rise by less than this share of their surface's height are level.
 _LEVEL = 1e-6
 
@@ -244,7 +244,7 @@ class Site:
         """Return the site without some elements, their solids, and all that stands on these."""
         gone = set(names)
         solids = {e.solid for e in self.elements.values() if e.name in gone and e.solid == e.name}
-        surfaces = {s.name for s in self.surfaces.values() if s.solid in solids or s.name in gone}
+        surfaces = {s.name for s in self.surfaces.values() if s.solid in solids}
         after = replace(
             self,
             elements={n: e for n, e in self.elements.items() if n not in gone},
@@ -290,11 +290,13 @@ class Site:
             for number, points in enumerate(own.outlines, 1)
         )
         elements = (element.polygon for element in self.on(surface))
-        return Scene(self.name, self.units, (*outlines, *dressed_regions(own), *elements))
+        return Scene(
+            self.name, self.units, (*outlines, *(region for _, region in dressed_regions(own)), *elements)
+        )
 
 
-def dressed_regions(surface: Surface) -> Iterator[Polygon]:
-    """Yield the regions with labels of the facade on a surface, but for the whole of it."""
+def dressed_regions(surface: Surface) -> Iterator[tuple[str, Polygon]]:
+    """Yield the regions with labels of the facade on a surface, but for the whole, each with its path."""
     dressing = surface.dressing
     if dressing is None:
         return
@@ -303,7 +305,8 @@ def dressed_regions(surface: Surface) -> Iterator[Polygon]:
         if placed.region.labels and "/" in placed.path:
             x0, y0, x1, y1 = placed.box
             name = f"{surface.name}.{placed.path.partition('/')[2].replace('/', '.')}"
-            yield Polygon.rectangle(name, x0 + x, y0 + y, x1 + x, y1 + y, placed.region.labels)
+            box = Polygon.rectangle(name, x0 + x, y0 + y, x1 + x, y1 + y, placed.region.labels)
+            yield placed.path, box
 
 
 def _feet_and_heads(points: tuple[Point, ...]) -> OwnLabels:

@@ -10,11 +10,18 @@ from layoutkit.model import Polygon, Scene
 from layoutkit.scenes.hierarchy import Hierarchy
 
 
-def sites_of(scene: Scene, labels: Collection[str]) -> tuple[Scene, ...]:
+def sites_of(
+    scene: Scene, labels: Collection[str], names: Collection[str] | None = None
+) -> tuple[Scene, ...]:
     """Return the sites of a scene in document order, each named as its polygon; without labels, the whole.
 
     A site is a polygon of one of the labels, and all that is inside it. Where sites contain each other, what
     is inside is of the inner one, whose polygon the outer one sees without labels: as something in the way.
+
+    Parameters
+    ----------
+    names
+        Which sites are wanted; None: all.
     """
     scene = scene.settled()
     if not labels:
@@ -33,6 +40,7 @@ def sites_of(scene: Scene, labels: Collection[str]) -> tuple[Scene, ...]:
     return tuple(
         replace(scene, name=scene.polygons[at].name, polygons=tuple(own), picture=None)
         for at, own in inside.items()
+        if names is None or scene.polygons[at].name in names
     )
 
 

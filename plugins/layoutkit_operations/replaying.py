@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from layoutkit.model import Scene, World
@@ -29,19 +29,29 @@ class Replay:
         What each node has made so far, by its number.
     parts
         What each branch was dealt, by the number of its node and its own there, from 0.
+    scopes
+        What each node worked on, by its number.
     """
 
     operations: Operations
     context: Context
     outputs: dict[int, Scope] = field(default_factory=dict)
     parts: dict[tuple[int, int], Scope] = field(default_factory=dict)
+    scopes: dict[int, Scope] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._numbers = {id(node): number for number, node in enumerate(self.operations.nodes)}
 
-    def on(self, site: Site) -> Site:
-        """Return a site after all operations."""
-        return self._all(self.operations.roots, tuple(site.elements), site)
+    def on(self, site: Site, beside: Collection[str] = ()) -> Site:
+        """Return a site after all operations.
+
+        Parameters
+        ----------
+        beside
+            Names of elements that are nothing to work on.
+        """
+        scope = tuple(name for name in site.elements if name not in beside)
+        return self._all(self.operations.roots, scope, site)
 
     def _all(self, nodes: Sequence[Node], scope: Scope, site: Site) -> Site:
         for node in nodes:
@@ -53,6 +63,7 @@ class Replay:
     def _one(self, node: Node, scope: Scope, site: Site) -> Site:
         number = self._numbers[id(node)]
         own = self.context.within(number)
+        self.scopes[number] = scope
         site, output = node.operation.apply(scope, site, own.within(_DOING))
         self.outputs[number] = output
         site = self._all(node.children, output, site)
@@ -93,20 +104,27 @@ class Replayed:
         return world_of(self.scene, self.given, self.sites, Photos())
 
 
-def replayed(operations: Operations, scene: Scene, context: Context) -> Replayed:
-    """Make the operations of a tree on every site of a scene.
+def replayed(
+    operations: Operations, scene: Scene, context: Context, names: Collection[str] | None = None
+) -> Replayed:
+    """Make the operations of a tree on the sites of a scene.
 
     Parameters
     ----------
     context
         Its chance begins with the seed; each site has a part of it by its name.
+    names
+        Which sites; None: all.
     """
     replays, sites = [], []
     given: set[str] = set()
-    for own in sites_of(scene, operations.sites):
+    for own in sites_of(scene, operations.sites, names):
+        # The polygons of sites inside this one are in the way, and nothing to work on: the others' own.
+        inner = {p.name for p in own.polygons[1:] if operations.sites and not p.labels}
         replays.append(Replay(operations, context.within(number_of(scene.name, own.name))))
-        sites.append(replays[-1].on(Site.of(own)))
-        given |= {polygon.name for polygon in own.polygons}
+        site = replays[-1].on(Site.of(own), inner)
+        sites.append(replace(site, elements={n: e for n, e in site.elements.items() if n not in inner}))
+        given |= {polygon.name for polygon in own.polygons} - inner
     return Replayed(scene, tuple(replays), tuple(sites), frozenset(given), context)
 
 

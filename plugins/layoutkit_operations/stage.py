@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from layoutkit.diagnostics import Diagnostic, Faulty
+from layoutkit.diagnostics import Diagnostic, Faulty, Severity, did_you_mean
 from layoutkit.hooks.specs import Outcome, Stage
 from layoutkit.model import Scene
 
 if TYPE_CHECKING:
     from layoutkit.operations import Operations
     from layoutkit.operations.context import Stages
+    from layoutkit_operations.replaying import Replayed
 
 
 @dataclass(frozen=True)
@@ -26,12 +27,15 @@ class ReplayOptions:
         What is to be replayed.
     seed
         Start of all random choices.
+    sites
+        Names of the sites that are to be built, where there are sites; None: all.
     stages
         How operations run stages of other plugins.
     """
 
     operations: Operations | None = None
     seed: int = 0
+    sites: tuple[str, ...] | None = None
     stages: Stages | None = None
 
 
@@ -60,12 +64,14 @@ class ReplayOperations(Stage):
         if operations is None or stages is None:
             raise Faulty([Diagnostic("LK881", "there is nothing to replay", topic="operations")])
         check_units(operations, scene)
+        check_sites(operations, scene)
         start = time.perf_counter()
         context = Context(stages, (options.seed,))
         with single_threaded():
-            made = replayed(operations, scene, context)
+            made = replayed(operations, scene, context, options.sites)
             world = made.world
         faults = [fault for body in world.bodies for fault in faults_of(body)]
+        faults += unmatched(operations, made)
         yield Outcome("found", world, (*context.told, *faults), time.perf_counter() - start)
 
 
@@ -75,3 +81,33 @@ def check_units(operations: Operations, scene: Scene) -> None:
         message = f"the operations {operations.name} are in {operations.units}, the scene in {scene.units}"
         hint = "write both in the same units"
         raise Faulty([Diagnostic("LK881", message, hint=hint, topic="operations")])
+
+
+def check_sites(operations: Operations, scene: Scene) -> None:
+    """Raise `Faulty` where a scene has none of the sites that operations are made on (LK881)."""
+    known = scene.labels
+    if operations.sites and set(operations.sites).isdisjoint(known):
+        wanted = " or ".join(f"@{label}" for label in operations.sites)
+        message = f"the scene {scene.name} has no {wanted}, and {operations.name} builds on nothing else"
+        hint = did_you_mean(operations.sites[0], known) if known else "the scene is empty"
+        raise Faulty([Diagnostic("LK881", message, hint=hint, topic="operations")])
+
+
+def unmatched(operations: Operations, made: Replayed) -> Iterator[Diagnostic]:
+    """Yield a warning of each selection that chose nothing anywhere, though there was something there."""
+    from layoutkit_operations.kinds.select import Select, reached
+
+    for number, node in enumerate(operations.nodes):
+        own = node.operation
+        if not isinstance(own, Select) or any(replay.outputs.get(number) for replay in made.replays):
+            continue
+        seen: dict[str, None] = {}
+        for replay, site in zip(made.replays, made.sites, strict=True):
+            for name in reached(replay.scopes.get(number, ()), site):
+                element = site.elements.get(name)
+                labels = element.labels if element is not None else site.surfaces[name].labels
+                seen.update(dict.fromkeys(labels))
+        if seen:
+            message = f"nothing is labelled {' or '.join(own.labels)}, of what is to be chosen of"
+            hint = did_you_mean(own.labels[0], seen)
+            yield Diagnostic("LK883", message, own.place, hint, Severity.WARNING, "operations")

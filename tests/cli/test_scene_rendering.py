@@ -82,7 +82,7 @@ def test_scenes_are_copied_with_what_belongs_to_them(
 def test_scenes_are_listed_with_the_facades(layoutkit: Any) -> None:
     names = [sample["name"] for sample in layoutkit("samples", "--json").data["samples"]]
     assert names[0] == "plain"
-    assert names[-3:] == ["flowers", "bedside", "plots"]
+    assert names[-7:] == ["flowers", "bedside", "plots", "houses", "towers", "flat", "park"]
 
 
 def test_what_is_cleared_is_cut_from_the_picture_as_well() -> None:

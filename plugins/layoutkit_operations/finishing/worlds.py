@@ -29,8 +29,7 @@ def world_of(scene: Scene, given: Collection[str], sites: Sequence[Site], photos
     flat: dict[str, Polygon] = {}
     for site in sites:
         for element in site.on(GROUND_NAME):
-            # An outer site has the polygons of those inside it, too, without their labels.
-            if not element.solid and (element.labels or element.name not in flat):
+            if not element.solid:
                 flat[element.name] = element.polygon
     around = [p for p in scene.settled().polygons if p.name not in given]
     shown = {skin.picture for body in bodies for skin in body.skins}

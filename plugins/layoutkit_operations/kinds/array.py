@@ -47,7 +47,7 @@ class Array(Operation):
         from layoutkit.scenes.spacing import fill
 
         made: list[Element] = []
-        for name in scope:
+        for name in dict.fromkeys(scope):
             for surface, polygon in self._boxes(name, site, context):
                 box = box_about(polygon, self.label)
                 box = replace(box, width=box.width - 2 * self.margin, height=box.height - 2 * self.margin)

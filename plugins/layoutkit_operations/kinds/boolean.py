@@ -44,7 +44,7 @@ class Boolean(Operation):
         from layoutkit_operations.solids.booleans import InexactError
 
         done: dict[str, None] = {}
-        for name in scope:
+        for name in dict.fromkeys(scope):
             element = site.elements.get(name)
             solid = site.solids.get(element.solid) if element is not None else None
             if element is None or solid is None or (solid.name != name and self.with_ == "surface"):

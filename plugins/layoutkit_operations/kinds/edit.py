@@ -44,7 +44,7 @@ class Edit(Operation):
     def apply(self, scope: Scope, site: Site, context: Context) -> Result:
         """Return the site with edited facades, and the surfaces that have them."""
         edited = []
-        for name in scope:
+        for name in dict.fromkeys(scope):
             surface = site.surfaces.get(name)
             if surface is None or surface.dressing is None:
                 self._remark(context, f"{name} has no facade to edit", "fill it first, with <vary>")
@@ -64,11 +64,11 @@ class Edit(Operation):
         grids = tuple(_there(layout.facade.grids, layout.root, steps))
         begun, root = replace(layout.facade, root=layout.root, grids=grids), layout.root
         asked = Session(name, dressing.design.file, steps)
-        apart = replace(context, told=[])
+        apart = replace(context, told={})
         outcome = apart.run("edit", begun, session=asked, then=Resize(root.width, root.height))
         found = outcome.document if outcome is not None else None
         if outcome is None or not isinstance(found, Facade):
-            why = apart.told[0].message if apart.told else "there is no such facade"
+            why = next(iter(apart.told)).message if apart.told else "there is no such facade"
             self._remark(context, f"the facade on {name} stays as it is: {why}", "edit what all facades have")
             return None
         after = Layout(layout.name, found.units, found.root, found, seed=layout.seed, index=layout.index)

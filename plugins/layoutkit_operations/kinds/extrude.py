@@ -12,6 +12,7 @@ from layoutkit.documents.grammar import AMOUNT, NUMBER, TEXT
 from layoutkit.model.world import Skin
 from layoutkit.operations import Context, Element, Operation, Result, Site, Solid, Surface
 from layoutkit.operations.attributes import COLOUR, Colour
+from layoutkit.operations.context import named
 from layoutkit.operations.operation import Scope
 
 if TYPE_CHECKING:
@@ -74,16 +75,18 @@ class Extrude(Operation):
 
         made: list[tuple[Element, Solid]] = []
         sides: list[Surface] = []
-        for number, name in enumerate(dict.fromkeys(scope)):
+        for name in dict.fromkeys(scope):
             element = site.elements.get(name)
             if element is None or element.solid:
                 what = "is a solid already" if element else "is no element"
                 context.report(self._remark(f"{name} {what}, and is not extruded", "select flat elements"))
                 continue
-            factor = 1 + self.random * float(context.random(number).uniform(-1, 1))
+            factor = 1 + self.random * float(context.random(named(name)).uniform(-1, 1))
             prism = self._prism(element, site, self.height * factor, context)
             closed = self.cap != "none"
-            solid, surfaces = solid_of(element, tuple(prism.facets()), self._skins(element), closed)
+            solid, surfaces = solid_of(
+                element, tuple(prism.facets()), self._skins(element), closed, site.elements
+            )
             made.append((replace(element, solid=name), solid))
             sides += surfaces
         elements, solids = [element for element, _ in made], [solid for _, solid in made]

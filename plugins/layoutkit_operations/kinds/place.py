@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.attributes import attribute
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
@@ -14,8 +14,12 @@ from layoutkit.model.face import Point
 from layoutkit.model.outline import inside
 from layoutkit.operations import Context, Element, Operation, Result, Site
 from layoutkit.operations.attributes import held
+from layoutkit.operations.context import named
 from layoutkit.operations.operation import Scope
 from layoutkit.scenes.spacing import check, fill
+
+if TYPE_CHECKING:
+    from numpy.random import Generator
 
 #: What shapes are placed within.
 Outlines = tuple[tuple[Point, ...], ...]
@@ -78,12 +82,12 @@ class Place(Operation):
         names: dict[str, Iterator[str]] = {}
         label = self._label
         seen = Standing(site).scenes if self._apart else Standing(site).surroundings
-        scenes = ((name, *own) for name in scope for own in seen(name))
-        for number, (name, surface, scene) in enumerate(scenes):
+        scenes = {(name, own[0]): own[1] for name in scope for own in seen(name)}
+        for (name, surface), scene in scenes.items():
             if name not in names:
                 names[name] = site.free_names(name, label or "Placed")
             placed = self._placed(scene, _outlines(name, surface, site), name, context)
-            for shape in self._kept(placed, context, number):
+            for shape in self._kept(placed, context.random(named(f"{name} {surface}"))):
                 labels = (label,) if label else ()
                 own = Element(next(names[name]), labels, surface, shape.points, shape.angle, parent=name)
                 made.append(own)
@@ -100,7 +104,7 @@ class Place(Operation):
 
     def _placed(self, scene: Scene, outlines: Outlines, name: str, context: Context) -> tuple[Placement, ...]:
         """Return what is placed in a scene within outlines, the best first."""
-        apart = replace(context, told=[])
+        apart = replace(context, told={})
         chosen = self.inside > 0 or not self._apart
         outcome = apart.run(
             "place",
@@ -121,7 +125,12 @@ class Place(Operation):
             message = f"{name}: none of {len(outcome.document.placements)} places for {self._label} is inside"
             hint = "lower inside, or show smaller examples"
             context.report(Diagnostic("LK875", message, self.place, hint, Severity.WARNING, "operations"))
-        return found if self._spacing == Spacing() else fill(found, self._spacing)
+        try:
+            return found if self._spacing == Spacing() else fill(found, self._spacing)
+        except Faulty as faulty:
+            told = (replace(d, message=f"{name}: {d.message}", place=self.place) for d in faulty.diagnostics)
+            context.report(*(replace(d, severity=Severity.WARNING) for d in told))
+            return ()
 
     @property
     def _asked(self) -> PlacementModel | None:
@@ -150,8 +159,7 @@ class Place(Operation):
                 break
         return tuple(kept)
 
-    def _kept(self, placed: Sequence[Placement], context: Context, number: int) -> Iterator[Placement]:
-        chance = context.random(number)
+    def _kept(self, placed: Sequence[Placement], chance: Generator) -> Iterator[Placement]:
         for shape in placed:
             if self.share >= 1 or float(chance.random()) < self.share:
                 yield shape

@@ -47,11 +47,12 @@ class Select(Operation):
     def _regions(self, surface: str, site: Site) -> Iterator[Element]:
         """Yield the outermost regions of the facade on a surface that suit, as elements."""
         own, taken = site.surfaces[surface], ""
-        for polygon in dressed_regions(own):
-            inside = taken and polygon.name.startswith(f"{taken}.")
+        for path, polygon in dressed_regions(own):
+            inside = taken and path.startswith(f"{taken}/")
             if self._suits(polygon.labels) and not inside:
-                taken = polygon.name
-                yield Element(polygon.name, polygon.labels, surface, polygon.points, 0.0, parent=own.element)
+                taken = path
+                labels, points = polygon.labels, polygon.points
+                yield Element(polygon.name, labels, surface, points, 0.0, parent=own.element)
 
 
 def reached(scope: Scope, site: Site) -> tuple[str, ...]:

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Literal
 
 from layoutkit.constraints.attributes import attribute, choice
-from layoutkit.diagnostics import Diagnostic, Severity
+from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.model import Box, Facade, Layout, Measure
 from layoutkit.operations import Context, Design, Dressing, Operation, Result, Site, Surface
 from layoutkit.operations.attributes import DESIGN
+from layoutkit.operations.context import named
 from layoutkit.operations.operation import Scope
 
 if TYPE_CHECKING:
@@ -43,10 +44,18 @@ class Vary(Operation):
 
     def apply(self, scope: Scope, site: Site, context: Context) -> Result:
         """Return the site with dressed surfaces, and these."""
-        designs = [d for d in (self.facade, self.otherwise) if d is not None and d.facade is not None]
+        designs = [d for d in (self.facade, self.otherwise) if d is not None]
+        for design in designs:
+            if design.facade is not None and design.facade.units != site.units:
+                message = f"{design} is in {design.facade.units}, and what it is to fill in {site.units}"
+                hint = "write both in the same units"
+                raise Faulty([Diagnostic("LK881", message, self.place, hint, topic="operations")])
+        for name in scope:
+            if name in site.elements and not site.elements[name].solid:
+                self._remark(context, f"{name} is flat, and has no sides to fill", "extrude it first")
         dressed: list[Surface] = []
-        for number, surface in enumerate(_surfaces(scope, site)):
-            found = self._dressing(surface, designs, context.within(number))
+        for surface in _surfaces(scope, site):
+            found = self._dressing(surface, designs, context.within(named(surface.name)))
             if found is not None:
                 dressed.append(replace(surface, dressing=found))
         return Result(site.with_surfaces(*dressed), tuple(surface.name for surface in dressed))
@@ -76,7 +85,7 @@ class Vary(Operation):
         facade = _ready(design, context)
         if facade is None:
             return None
-        outcome = replace(context, told=[]).run(
+        outcome = replace(context, told={}).run(
             "relayout",
             facade,
             count=1,
@@ -106,8 +115,11 @@ def _ready(design: Design, context: Context) -> Facade | None:
 
 
 def _surfaces(scope: Scope, site: Site) -> Iterator[Surface]:
-    """Yield the surfaces in a scope of which there is something to be seen; of solids, their sides."""
-    for name in dict.fromkeys(scope):
-        for surface in site.surfaces_of(name):
-            if surface.outlines and (name in site.surfaces or "Side" in surface.labels):
-                yield surface
+    """Yield the surfaces in a scope of which there is something to be seen, once; of solids, their sides."""
+    found = {
+        surface.name: surface
+        for name in scope
+        for surface in site.surfaces_of(name)
+        if surface.outlines and (name in site.surfaces or "Side" in surface.labels)
+    }
+    yield from found.values()

@@ -72,7 +72,7 @@ class Prism:
             yield self._side(edge, low, high)
         roofed = {edge for edge, _, _ in parts}
         for edge, part, rises in parts:
-            yield self._facet(part, high + rises, ("Roof", *self._own(edge)[2:]))
+            yield self._facet(part, high + rises, ("Roof",))
             if edge in roofed and self.cap == "gable":
                 gable = (edge + 1) % len(self.outline)
                 yield self._gable(gable, high, [(p, r) for _, p, r in parts])
@@ -99,7 +99,7 @@ class Prism:
         cut = profile(self.outline, edge, parts)
         points = np.array([start, end, *(point for point, _ in cut)])
         rises = np.array([0.0, 0.0, *(rise for _, rise in cut)])
-        return self._facet(points, high + rises, ("Gable", *self._own(edge)[2:]))
+        return self._facet(points, high + rises, ("Gable",))
 
     def _ends(self, edge: int) -> list[Array]:
         return [self.outline[edge], self.outline[(edge + 1) % len(self.outline)]]

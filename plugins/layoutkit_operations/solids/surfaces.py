@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -23,12 +23,14 @@ _ALIKE = 1e-6
 
 
 def solid_of(
-    element: Element, facets: Sequence[Facet], skins: Mapping[str, Skin], closed: bool
+    element: Element, facets: Sequence[Facet], skins: Mapping[str, Skin], closed: bool, taken: Collection[str]
 ) -> tuple[Solid, tuple[Surface, ...]]:
     """Return the solid that facets enclose, and its surfaces: one for each facet, named by its first label.
 
     Parameters
     ----------
+    taken
+        Names that others have.
     skins
         By the first label of the facets.
     """
@@ -38,6 +40,8 @@ def solid_of(
     for facet in facets:
         first = facet.labels[0]
         numbers[first] += 1
+        while f"{element.name}.{first}_{numbers[first]}" in taken:
+            numbers[first] += 1
         frame = frame_about(facet.points, normal_of(facet.points), facet.along)
         surfaces.append(
             Surface(

@@ -31,7 +31,7 @@ def dressed(own, name, facade, stages, *labels):
     """The site with facades on the surfaces of some labels, and what was said."""
     told = context(stages)
     own, chosen = Select(labels=labels or ("Side",)).apply((name,), own, told)
-    return Vary(facade=facade).apply(chosen, own, told).site, told.told
+    return Vary(facade=facade).apply(chosen, own, told).site, list(told.told)
 
 
 def checked(own, name="A"):
@@ -131,7 +131,7 @@ def test_solids_are_combined_before_facades_are_laid_out(stages, wall):
     after, output = Boolean(action="union").apply(("A.Bay",), own, told)
     assert output == ()
     assert [d.code for d in told.told] == ["LK884"]
-    assert "A.Side_1 has a facade" in told.told[0].message
+    assert "A.Side_1 has a facade" in next(iter(told.told)).message
     checked(after)
     chimney = on(own, "A.Top_1", "A.Chimney", box(4, 4, 1, 1), ("Chimney",))
     chimney, _ = Extrude(height=1).apply(("A.Chimney",), chimney, context())

@@ -10,6 +10,7 @@ from PIL import Image
 
 from layoutkit.model import World
 from layoutkit.operations import Asset
+from layoutkit.operations.site import GROUND_NAME
 from layoutkit.pictures.worlds.glb import render_world_glb
 from layoutkit_operations.checking import faults_of
 from layoutkit_operations.finishing.bodies import body_of
@@ -94,7 +95,7 @@ def test_more_can_stand_on_its_top_and_nothing_is_cut_with_it():
     told = context()
     Boolean(action="union", with_="intersecting").apply(("A",), own, told)
     assert [d.code for d in told.told] == ["LK884"]
-    Mesh(file=asset("stl")).apply(("A",), on(own, "Ground", "B", box(9, 9, 1, 1)), told)
+    Mesh(file=asset("stl")).apply(("A",), on(own, GROUND_NAME, "B", box(9, 9, 1, 1)), told)
     assert [d.code for d in told.told] == ["LK884", "LK883"]
 
 

@@ -110,6 +110,6 @@ def test_what_cannot_be_combined_stays_as_it_is_and_is_told(make, told):
     action = "difference" if "nothing" in told else "union"
     after, output = Boolean(action=action).apply((name,), own, found)
     assert [d.code for d in found.told] == ["LK884"]
-    assert told in found.told[0].message
+    assert told in next(iter(found.told)).message
     assert output == ()
     assert after.solids.keys() == own.solids.keys()

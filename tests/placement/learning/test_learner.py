@@ -12,10 +12,10 @@ from placement.learning.learning_drawn import examples, scene
 
 from layoutkit.model.learning import Example, LearningSettings, Spacing
 from layoutkit.model.scene import Placement, Polygon, Scene
+from layoutkit.scenes.spacing import filled
 from layoutkit_placement.learning import Fitted, Learner, examples_of
 from layoutkit_placement.learning.limits import OVERLAP, inside
 from layoutkit_placement.learning.models import fitted_of, model_of
-from layoutkit.scenes.spacing import filled
 
 Rectangle = tuple[float, float, float, float]
 
