@@ -104,9 +104,9 @@ def replay(
     """Make the operations of a recorded session again on other scenes, in three dimensions.
 
     Every scene becomes a model, and pictures of it from two sides, for every seed; of several scenes, each
-    has a folder of its own. Where the operations say which polygons are sites of their own, large scenes are divided into tiles of near sites, each with a
-    model of its own. DIR/manifest.json lists all. The bytes are the same whoever does the work: this process,
-    several, or a cluster.
+    has a folder of its own. Where the operations say which polygons are sites of their own, large scenes are
+    divided into tiles of near sites, each with a model of its own. DIR/manifest.json lists all. The bytes are
+    the same whoever does the work: this process, several, or a cluster.
 
     The same command goes on where it was interrupted. A tile that fails is listed, and does not stop others.
     """

@@ -101,6 +101,8 @@ def unmatched(operations: Operations, made: Replayed) -> Iterator[Diagnostic]:
         own = node.operation
         if not isinstance(own, Select) or any(replay.outputs.get(number) for replay in made.replays):
             continue
+        if set(own.labels) <= set(operations.sites):  # of sites of several labels, a scene may have some
+            continue
         seen: dict[str, None] = {}
         for replay, site in zip(made.replays, made.sites, strict=True):
             for name in reached(replay.scopes.get(number, ()), site):
