@@ -11,14 +11,15 @@ A session of modelling in Python::
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.model import LearningSettings, Placement, PlacementModel, Scene, World
-from layoutkit.operations import Branch, Context, Design, Node, Operation, Operations
+from layoutkit.operations import Branch, Context, Design, Named, Node, Operation, Operations
 from layoutkit.operations.operation import Scope
 from layoutkit_operations.kinds.place import Place
 from layoutkit_operations.kinds.select import Select
@@ -50,7 +51,8 @@ class Recorder:
     def __init__(
         self, scene: Scene, sites: Sequence[str] = (), seed: int = 0, stages: Runner | None = None
     ) -> None:
-        self._scene, self._sites, self._seed = scene, tuple(sites), seed
+        self._scene, self._seed = scene, seed
+        self._sites = (sites,) if isinstance(sites, str) else tuple(sites)
         self._stages = stages or _runner()
         self._roots: list[_Draft] = []
         self._made: Replayed | None = None
@@ -83,7 +85,7 @@ class Recorder:
         return tuple(dict.fromkeys([*made.context.told, *faults]))
 
     def _added(self, drafts: list[_Draft], operation: Operation) -> Step:
-        if faults := tuple(operation.faults()):
+        if faults := tuple(_misfits(operation)) or tuple(operation.faults()):
             raise Faulty(faults)
         draft = _Draft(operation)
         drafts.append(draft)
@@ -165,6 +167,9 @@ class Step:
 
     def split(self, *weights: float) -> tuple[Step, ...]:
         """Deal what this step made out at random into disjoint parts, each as large as its weight asks."""
+        if wrong := [weight for weight in weights if not 0 < weight < math.inf]:
+            hint = "weights are above 0: a part that is left as it is has a weight, too"
+            raise Faulty([_nonsense(f"split: {wrong[0]!r} is no weight", hint)])
         begin = len(self.draft.branches)
         self.draft.branches += (_DraftBranch(weight) for weight in weights)
         self.recorder._made = None
@@ -265,6 +270,26 @@ class _Draft:
 class _DraftBranch:
     weight: float
     children: list[_Draft] = field(default_factory=list)
+
+
+def _misfits(operation: Operation) -> Iterator[Diagnostic]:
+    """Yield which attributes have values that no document can hold."""
+    for attribute in operation.attributes():
+        value = getattr(operation, attribute.field_name)
+        if value == attribute.default and not attribute.required:
+            continue
+        try:
+            read = attribute.type.parse(attribute.type.text(value))
+            fits = isinstance(value, type(read)) if isinstance(read, Named) else read == value
+        except (ValueError, TypeError, AttributeError):  # it is of another kind altogether
+            fits = False
+        if not fits:
+            message = f"<{operation.kind}>: {attribute.name} is {value!r}, and no {attribute.type.name}"
+            yield _nonsense(message, attribute.help)
+
+
+def _nonsense(message: str, hint: str) -> Diagnostic:
+    return Diagnostic("LK882", message, hint=hint, topic="operations")
 
 
 def _runner() -> Runner:

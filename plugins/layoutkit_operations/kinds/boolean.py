@@ -110,11 +110,17 @@ def let_in(solid: Solid, site: Site, element: Element) -> Solid:
 
 def _settled(site: Site, made: Solid, merged: Sequence[str], context: Context, by: Boolean) -> Site | None:
     """Return the site with a combined solid in the place of its parts; None where nothing is left."""
+    from layoutkit_operations.solids.booleans import touches_itself
     from layoutkit_operations.solids.surfaces import found_again
 
     if not len(made.triangles):
         hint = "choose a smaller one to take away"
         message = f"nothing would be left of {made.name}, which stays as it is"
+        context.report(Diagnostic("LK884", message, by.place, hint, Severity.WARNING, "operations"))
+        return None
+    if touches_itself(made):
+        hint = "move it a little, so that they overlap or stand apart"
+        message = f"parts of {made.name} would meet in an edge alone: it stays as it is"
         context.report(Diagnostic("LK884", message, by.place, hint, Severity.WARNING, "operations"))
         return None
     gone = {made.name, *merged}
@@ -134,7 +140,13 @@ def _settled(site: Site, made: Solid, merged: Sequence[str], context: Context, b
     )
     after = after.with_solids(made).with_surfaces(*seen)
     lost = {e.name for e in after.elements.values() if e.surface not in after.surfaces}
-    return after.without(lost - {e.name for e in after.elements.values() if e.solid == made.name})
+    after = after.without(lost - {e.name for e in after.elements.values() if e.solid == made.name})
+    for name in site.elements:
+        if name not in after.elements:
+            message = f"{name} stood on what is no longer there, and went with it"
+            hint = "place it after the solids are combined"
+            context.report(Diagnostic("LK884", message, by.place, hint, Severity.WARNING, "operations"))
+    return after
 
 
 def _disturbed(before: Sequence[Solid], made: Solid, site: Site) -> str | None:

@@ -59,6 +59,17 @@ def watertight(solid: Solid) -> bool:
     return once and bool(np.array_equal(np.sort(there), np.sort(back))) and volume(solid) > 0
 
 
+def touches_itself(solid: Solid) -> bool:
+    """Tell whether parts of a solid meet in an edge alone, so that it is none once equal points are one."""
+    from layoutkit_operations.solids.polyhedra import NEAR, merged
+
+    _, which = merged(solid.points, NEAR * float(np.ptp(solid.points, axis=0).max()))
+    t = which[solid.triangles]
+    t = t[(t != np.roll(t, 1, axis=1)).all(axis=1)]
+    edges = np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]])
+    return len(np.unique(edges, axis=0)) < len(edges)
+
+
 def _combined(first: Solid, others: Sequence[Solid], operation: Literal["Add", "Subtract"]) -> Solid:
     from manifold3d import Manifold, OpType
 

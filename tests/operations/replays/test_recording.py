@@ -112,5 +112,16 @@ def test_what_is_not_there_is_named(stages):
         step.do(Extrude(height=0))
     with pytest.raises(Faulty, match="placement-model"):
         step.do(Place())
+    for nonsense in (
+        Extrude(height=3, cap="gabel"),
+        Extrude(height="3"),
+        Vary(facade="wall.xml"),
+        Select(labels=(["Plot"],)),
+    ):
+        with pytest.raises(Faulty, match="LK882"):
+            step.do(nonsense)
+    with pytest.raises(Faulty, match="no weight"):
+        step.split(0, 1)
+    assert Recorder(plots(16), sites="Plot", stages=stages).operations("s").sites == ("Plot",)
     assert isinstance(session.operations("s").roots[0].operation, Select)
     assert not context().told

@@ -113,3 +113,23 @@ def test_what_cannot_be_combined_stays_as_it_is_and_is_told(make, told):
     assert told in next(iter(found.told)).message
     assert output == ()
     assert after.solids.keys() == own.solids.keys()
+
+
+def test_pockets_that_would_touch_in_an_edge_are_refused():
+    own = added(house(), "A.Top_1", box(1, 1, 3, 3), -2)
+    own, _ = Boolean(action="difference").apply(("A.X_1",), own, context())
+    beside = added(own, "A.Top_1", box(4, 4, 3, 3), -2, "A.X_2")
+    told = context()
+    after, output = Boolean(action="difference").apply(("A.X_2",), beside, told)
+    assert output == ()
+    assert "edge alone" in next(iter(told.told)).message
+    assert measured(after) == pytest.approx(480 - 18, rel=1e-3)
+
+
+def test_what_goes_with_what_it_stood_on_is_told():
+    own = added(house(), "A.Top_1", box(0, 0, 10, 8), 3)
+    own = on(own, "A.Top_1", "A.Vent", box(1, 1, 1, 1), ("Vent",))
+    told = context()
+    after, _ = Boolean(action="union").apply(("A.X_1",), own, told)
+    assert "A.Vent" not in after.elements
+    assert any("A.Vent" in d.message for d in told.told)
