@@ -14,6 +14,7 @@ from layoutkit.model import World
 
 if TYPE_CHECKING:
     from layoutkit.batch import Finished, Shared, Task
+    from layoutkit.batch.task import Status
     from layoutkit.operations import Operations
 
 #: So many diagnostics that are alike are told.
@@ -36,10 +37,12 @@ def replay_tile(task: Task, shared: Shared) -> Finished:
     outcome = next(session.run("replay", scene, **asked))
     world = outcome.document
     told = _folded((*session.diagnostics, *outcome.diagnostics))
-    if not isinstance(world, World) or any(d.severity is Severity.ERROR for d in told):
+    if not isinstance(world, World):
         return Finished(task.key, "failed", diagnostics=told)
+    # Sites that failed are left out, and told; the others are there all the same.
+    status: Status = "failed" if any(d.severity is Severity.ERROR for d in told) else "done"
     files = tuple(_files(world, given["stem"], shared.options))
-    return Finished(task.key, "done", files, _summary(world), told)
+    return Finished(task.key, status, files, _summary(world), told)
 
 
 @lru_cache(maxsize=2)

@@ -78,11 +78,8 @@ class Recorder:
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """What operations had to say, and what is wrong with what they came to."""
-        from layoutkit_operations.checking import faults_of
-
         made = self._replayed()
-        faults = (fault for body in made.world.bodies for fault in faults_of(body))
-        return tuple(dict.fromkeys([*made.context.told, *faults]))
+        return tuple(dict.fromkeys([*made.context.told, *made.faults]))
 
     def _added(self, drafts: list[_Draft], operation: Operation) -> Step:
         if faults := tuple(_misfits(operation)) or tuple(operation.faults()):

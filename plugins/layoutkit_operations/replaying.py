@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from layoutkit.diagnostics import Diagnostic, Faulty, blame
 from layoutkit.model import Scene, World
 from layoutkit.operations import Branch, Context, Node, Operations, Site
 from layoutkit.operations.operation import Scope
@@ -95,9 +96,18 @@ class Replayed:
     given: frozenset[str]
     context: Context
 
-    @cached_property
+    @property
     def world(self) -> World:
-        """All of it in three dimensions."""
+        """All of it in three dimensions, but for sites that are not sound."""
+        return self._finished[0]
+
+    @property
+    def faults(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with sites that are left out of the world."""
+        return self._finished[1]
+
+    @cached_property
+    def _finished(self) -> tuple[World, tuple[Diagnostic, ...]]:
         from layoutkit_operations.finishing.dressing import Photos
         from layoutkit_operations.finishing.worlds import world_of
 
@@ -107,7 +117,7 @@ class Replayed:
 def replayed(
     operations: Operations, scene: Scene, context: Context, names: Collection[str] | None = None
 ) -> Replayed:
-    """Make the operations of a tree on the sites of a scene.
+    """Make the operations of a tree on the sites of a scene; what fails on one is told, and the others go on.
 
     Parameters
     ----------
@@ -121,8 +131,16 @@ def replayed(
     for own in sites_of(scene, operations.sites, names):
         # The polygons of sites inside this one are in the way, and nothing to work on: the others' own.
         inner = {p.name for p in own.polygons[1:] if operations.sites and not p.labels}
-        replays.append(Replay(operations, context.within(number_of(scene.name, own.name))))
-        site = replays[-1].on(Site.of(own), inner)
+        replay = Replay(operations, context.within(number_of(scene.name, own.name)))
+        try:
+            site = replay.on(Site.of(own), inner)
+        except Faulty as faulty:
+            context.report(*faulty.diagnostics)
+            continue
+        except blame.ANYTHING as error:  # a site that cannot be built takes no other with it
+            context.report(blame.unforeseen(error))
+            continue
+        replays.append(replay)
         sites.append(replace(site, elements={n: e for n, e in site.elements.items() if n not in inner}))
         given |= {polygon.name for polygon in own.polygons} - inner
     return Replayed(scene, tuple(replays), tuple(sites), frozenset(given), context)

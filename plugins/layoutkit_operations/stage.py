@@ -57,7 +57,6 @@ class ReplayOperations(Stage):
         """
         from layoutkit.operations import Context
         from layoutkit.sizing.threads import single_threaded
-        from layoutkit_operations.checking import faults_of
         from layoutkit_operations.replaying import replayed
 
         operations, stages = options.operations, options.stages
@@ -70,9 +69,8 @@ class ReplayOperations(Stage):
         with single_threaded():
             made = replayed(operations, scene, context, options.sites)
             world = made.world
-        faults = [fault for body in world.bodies for fault in faults_of(body)]
-        faults += unmatched(operations, made)
-        yield Outcome("found", world, (*context.told, *faults), time.perf_counter() - start)
+        told = (*context.told, *made.faults, *unmatched(operations, made))
+        yield Outcome("found", world, told, time.perf_counter() - start)
 
 
 def check_units(operations: Operations, scene: Scene) -> None:

@@ -7,7 +7,7 @@ from built import box, scene
 from hypothesis import given
 from hypothesis import strategies as st
 
-from layoutkit.diagnostics import Faulty
+from layoutkit.diagnostics import Faulty, Severity
 from layoutkit.model import Polygon, Scene
 from layoutkit.operations import Branch, Context, Node, Operations, Site
 from layoutkit.operations.sites import sites_of
@@ -119,3 +119,29 @@ def test_outputs_and_parts_are_known_by_node(stages):
     assert len(replay.outputs[0]) == 9
     assert set(replay.parts[0, 0]) | set(replay.parts[0, 1]) == set(replay.outputs[0])
     assert set(replay.outputs[2]) == set(replay.parts[0, 0])
+
+
+def test_a_site_that_fails_is_told_and_takes_no_other_with_it(stages):
+    thin = Polygon("Thin", ((200, 0), (210, 0), (210, 1e-7), (200, 1e-7)), ("Plot",))
+    every = Scene("built", "m", (*scene(*PLOTS).polygons, thin))
+    outcome = next(iter(stages("replay", every, operations=tree(RANDOM, sites=("Plot",)), seed=3)))
+    alone = replayed(stages, tree(RANDOM, sites=("Plot",)), scene(*PLOTS), 3)
+    assert heights(alone).items() <= heights(outcome.document).items()
+    if "Thin" not in heights(outcome.document):
+        assert any(d.severity is Severity.ERROR for d in outcome.diagnostics)
+
+
+def test_sites_in_sites_are_built_once(stages):
+    inner = Polygon("Inner", box(2, 2, 4, 4), ("Plot",))
+    every = Scene("built", "m", (Polygon("Outer", box(0, 0, 10, 10), ("Plot",)), inner))
+    world = replayed(stages, tree(RANDOM, sites=("Plot",)), every)
+    assert sorted(heights(world)) == ["Inner", "Outer"]
+    assert not world.ground
+
+
+def test_labels_that_match_nothing_are_told(stages):
+    wrong = tree(Node(Select(labels=("Plto",))))
+    outcome = next(iter(stages("replay", scene(*PLOTS), operations=wrong)))
+    assert [(d.code, "'Plot'" in d.hint) for d in outcome.diagnostics] == [("LK883", True)]
+    with pytest.raises(Faulty, match="@Parcel"):
+        replayed(stages, tree(RANDOM, sites=("Parcel",)), scene(*PLOTS))

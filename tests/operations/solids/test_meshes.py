@@ -82,7 +82,8 @@ def test_it_turns_with_its_element_and_keeps_its_textures():
 def world_of_one(own):
     from layoutkit.model import Scene
 
-    made = world_of(Scene("s", "m", ()), (), [own], Photos())
+    made, faults = world_of(Scene("s", "m", ()), (), [own], Photos())
+    assert not faults
     assert isinstance(made, World)
     return made
 
