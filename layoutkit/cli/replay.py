@@ -148,7 +148,10 @@ def _sides(views: Sequence[str] | None) -> list[str]:
 
     sides = list(dict.fromkeys(views or _SIDES))
     for side in sides:
-        bearing_of(side_of(side))
+        if isinstance(bearing := side_of(side), float) and not 0 <= bearing < 360:
+            hint = "write 0 to 359 degrees from north over east, or a side such as south-west"
+            raise Faulty([Diagnostic("LK701", f"{side} is no side to look from", hint=hint, topic="usage")])
+        bearing_of(bearing)
     return sides
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import field
+from pathlib import PurePosixPath, PureWindowsPath
 from typing import Any
 
 from layoutkit.constraints.attributes import AttributeType
@@ -32,6 +33,8 @@ def _colour_text(colour: Colour) -> str:
 def _file(text: str) -> str:
     if not text.strip():
         raise ValueError("a file is to be named")
+    if PurePosixPath(text.strip()).is_absolute() or PureWindowsPath(text.strip()).is_absolute():
+        raise ValueError(f"{text!r} is an absolute path: files are named from where the document lies")
     return text.strip()
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from layoutkit.model import Box
 from layoutkit.model.face import Point
@@ -44,23 +45,33 @@ def _inside(outline: Ring, holes: Sequence[Ring]) -> Box | None:
 
 
 def _searched(outline: Ring, holes: Sequence[Ring], size: float) -> Box | None:
-    """Return the greatest of all rectangles between the corners' coordinates that lie inside."""
+    """Return the greatest rectangle of cells between the corners' coordinates that all lie inside."""
     import shapely
 
     corners = [*outline, *(point for hole in holes for point in hole)]
     xs, ys = (_apart(values, _NEAR * size) for values in zip(*corners, strict=True))
-    lefts, rights = np.triu_indices(len(xs), 1)
-    feet, tops = np.triu_indices(len(ys), 1)
-    across, up = np.meshgrid(np.arange(len(lefts)), np.arange(len(feet)), indexing="ij")
-    sides = [xs[lefts][across], ys[feet][up], xs[rights][across], ys[tops][up]]
-    boxes = np.stack(sides, axis=-1).reshape(-1, 4)
-    areas = (boxes[:, 2] - boxes[:, 0]) * (boxes[:, 3] - boxes[:, 1])
     own = shapely.buffer(seen_of([outline], holes), _NEAR * size, join_style="mitre")
     shapely.prepare(own)
-    for index in np.lexsort((boxes[:, 0], boxes[:, 1], -areas)):
-        if shapely.covers(own, shapely.box(*boxes[index])):
-            return Box(*boxes[index].tolist())
-    return None
+    left, foot = np.meshgrid(xs[:-1], ys[:-1])
+    right, top = np.meshgrid(xs[1:], ys[1:])
+    filled = shapely.covers(own, shapely.box(left, foot, right, top))
+    best: tuple[float, Box] | None = None
+    for low in range(len(filled)):
+        whole = np.ones(filled.shape[1], bool)
+        for high in range(low, len(filled)):
+            whole &= filled[high]
+            for start, end in _runs(whole):
+                box = Box(float(xs[start]), float(ys[low]), float(xs[end]), float(ys[high + 1]))
+                # Those found later are as low at most, or farther right: greater they have to be.
+                if best is None or box.width * box.height > best[0] * (1 + _NEAR):
+                    best = box.width * box.height, box
+    return best[1] if best is not None else None
+
+
+def _runs(whole: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return where runs of cells that are whole begin, and where they end."""
+    steps = np.diff(np.concatenate([[0], whole.astype(np.int8), [0]]))
+    return list(zip(np.flatnonzero(steps == 1).tolist(), np.flatnonzero(steps == -1).tolist(), strict=True))
 
 
 def _apart(values: Sequence[float], near: float) -> Array:
