@@ -41,7 +41,10 @@ class RemoteSession(Session):
     @cached_property
     def host(self) -> Host:
         """The plugins, loaded once in each process."""
-        return _host(self.severity, self.without)
+        from layoutkit.diagnostics.origin import installed
+
+        plugins = tuple((point.name, point.value) for point in installed())
+        return _host(self.severity, self.without, plugins)
 
     def report(self, diagnostics: Iterable[Diagnostic] = ()) -> None:
         """Keep diagnostics, each once."""
@@ -87,7 +90,8 @@ def options_of(session: Session) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=1)
-def _host(severity: Severity, without: frozenset[str]) -> Host:
+def _host(severity: Severity, without: frozenset[str], plugins: tuple[tuple[str, str], ...]) -> Host:
+    """Return the host of the plugins that are installed, loaded once for as long as these are the same."""
     from layoutkit.hooks.host import Host
 
     return Host.load(severity, without=without)
