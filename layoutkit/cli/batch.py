@@ -19,6 +19,7 @@ from layoutkit.cli.batching import (
     Seeds,
     Workers,
     carried_out,
+    plugins_of,
     runner_of,
 )
 from layoutkit.cli.options import Json, finite, read_size
@@ -180,9 +181,7 @@ def _plan(
         "heights": [str(measure) for measure in height.measures],
         "seeds": list(seeds.numbers),
         **options,
-        "plugins": {
-            name: f"{o.package} {o.version}" for name, o in session.host.origins.items() if not o.ours
-        },
+        "plugins": plugins_of(session),
     }
     copies = {f"{name}/{_photo_name(photo)}": photo for name, photo in photos.items() if photo is not None}
     return Plan("batch", tasks, told, copies)

@@ -138,6 +138,12 @@ def runner_of(session: Session, workers: int | None, scheduler: str | None) -> R
     return InProcess()
 
 
+def plugins_of(session: Session) -> dict[str, str]:
+    """Return the plugins of others that take part, with their releases, for the manifest."""
+    others = ((name, origin) for name, origin in session.host.origins.items() if not origin.ours)
+    return {name: f"{origin.package} {origin.version}" for name, origin in others}
+
+
 def carried_out(
     session: Session,
     plan: Plan,

@@ -18,6 +18,7 @@ from layoutkit.cli.batching import (
     Seeds,
     Workers,
     carried_out,
+    plugins_of,
     runner_of,
 )
 from layoutkit.cli.options import Json, finite
@@ -169,8 +170,8 @@ def _plan(
         for name, scene in scenes.items()
         for task in _tasks(document, name, f"{name}/" if len(scenes) > 1 else "", scene, seeds, options)
     ]
-    plugins = {n: f"{o.package} {o.version}" for n, o in session.host.origins.items() if not o.ours}
-    told = {"scenes": list(scenes), "seeds": list(seeds.numbers), **options, "plugins": plugins}
+    seen = {"scenes": list(scenes), "seeds": list(seeds.numbers)}
+    told = {**seen, **options, "plugins": plugins_of(session)}
     return Plan("replay", tasks, told)
 
 

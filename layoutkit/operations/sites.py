@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import zlib
 from collections.abc import Collection
 from dataclasses import replace
 
 from layoutkit.model import Polygon, Scene
+from layoutkit.operations.context import named
 from layoutkit.scenes.hierarchy import Hierarchy
 
 
@@ -49,4 +49,4 @@ def number_of(scene: str, site: str) -> int:
 
     So a site is built alike whichever others there are, and whoever builds it.
     """
-    return zlib.crc32(f"{scene}\0{site}".encode())
+    return named(f"{scene}\0{site}")

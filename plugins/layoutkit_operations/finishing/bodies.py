@@ -50,13 +50,15 @@ class _Building:
         self._near = _NEAR * float(np.ptp(solid.points, axis=0).max())
         self._skins: dict[Skin, int] = {}
         self._openings: list[Opening] = []
+        self._flat = [tuple(e for e in site.on(s.name) if not e.solid) for s in self._surfaces]
 
     def body(self) -> Body:
         parts = [dressed(n, s, self._photos) for n, s in enumerate(self._surfaces) if s.dressing is not None]
         strips = strips_of(parts, self._near)
         boxes = {part.number: part.box for part in parts}
         outlines = (_in_space(strip, outline_of(strip)) for strip in strips)
-        flat = (_corners(e, s) for s in self._surfaces for e in self._site.on(s.name) if not e.solid)
+        pairs = zip(self._surfaces, self._flat, strict=True)
+        flat = (_corners(element, surface) for surface, own in pairs for element in own)
         fixed = np.concatenate([self._solid.points, *outlines, *flat])
         tree = KDTree(fixed)
         inlays = {n: self._inlays(n, boxes.get(n), tree) for n in range(len(self._surfaces))}
@@ -84,8 +86,7 @@ class _Building:
 
     def _inlays(self, number: int, box: Box | None, fixed: KDTree) -> tuple[Inlay, ...]:
         """Return the parts of a surface that is not all bare, or covered by its facade."""
-        surface = self._surfaces[number]
-        flat = [element for element in self._site.on(surface.name) if not element.solid]
+        surface, flat = self._surfaces[number], self._flat[number]
         if not flat and (box is None or fills(box, surface.outlines, surface.holes)):
             return ()
         return tuple(inlays_of(surface, box, flat, fixed, self._near))
@@ -206,7 +207,7 @@ def _on_outline(strip: Strip, points: Array, near: float) -> Iterator[Key]:
     for begin, part in zip(strip.begins, strip.parts, strict=False):
         x0, y0, x1, y1 = part.box
         corners = np.array([part.corner(x, y) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))])
-        for _, _, which in on_edges(corners, points, near):
+        for which in on_edges(corners, points, near):
             for x, y in flattened(points[which], part.surface.frame).tolist():
                 along, up = x - x0 + begin, y - y0
                 yield snapped(along, known_x, near), snapped(up, known_y, near), 0.0
@@ -220,6 +221,6 @@ def _opened(triangles: Array, new: Array, frame: Frame, near: float) -> Array:
     close = ((new[None] >= low[:, None]) & (new[None] <= high[:, None])).all(axis=2)
     found = []
     for triangle, which in zip(triangles, close, strict=True):
-        outline = with_points(triangle, new[which], near)[0] if which.any() else triangle
+        outline = with_points(triangle, new[which], near) if which.any() else triangle
         found.append(triangle[None] if len(outline) == 3 else outline[ears(outline, frame)])
     return np.concatenate(found)

@@ -44,8 +44,8 @@ class Lines:
         return [_with(start, axis, value) for value in inside]
 
 
-def with_points(polygon: Array, points: Array, near: float) -> tuple[Array, Array]:
-    """Return a polygon with the points that lie on its edges, and how far round it each of its points is.
+def with_points(polygon: Array, points: Array, near: float) -> Array:
+    """Return a polygon with the points that lie on its edges, shape (corners and points, 3).
 
     Parameters
     ----------
@@ -55,25 +55,15 @@ def with_points(polygon: Array, points: Array, near: float) -> tuple[Array, Arra
         Shape (points, 3).
     near
         How far beside an edge, or from its ends, a point may be and still be on it, or be its end.
-
-    Returns
-    -------
-    polygon
-        Shape (corners and points, 3).
-    rounds
-        Its corners are at 0, 1, 2 ...; a point between two is at a share between.
     """
     found: list[Array] = []
-    rounds: list[float] = []
-    for number, shares, which in on_edges(polygon, points, near):
-        found.append(polygon[number][None])
-        found.append(points[which])
-        rounds += [float(number), *(number + shares).tolist()]
-    return np.concatenate(found), np.array(rounds)
+    for corner, which in zip(polygon, on_edges(polygon, points, near), strict=True):
+        found += (corner[None], points[which])
+    return np.concatenate(found)
 
 
-def on_edges(polygon: Array, points: Array, near: float) -> Iterator[tuple[int, Array, Indices]]:
-    """Yield, for each edge, the shares at which points lie on it, in order, and which points these are."""
+def on_edges(polygon: Array, points: Array, near: float) -> Iterator[Indices]:
+    """Yield, for each edge, which points lie on it, in order along it."""
     steps = np.roll(polygon, -1, axis=0) - polygon
     squares = (steps * steps).sum(axis=1)
     squares[squares == 0] = np.inf  # an edge without length has no point on it
@@ -84,8 +74,7 @@ def on_edges(polygon: Array, points: Array, near: float) -> Iterator[tuple[int, 
     on = (off <= near) & (shares > ends) & (shares < 1 - ends)
     for number in range(len(polygon)):
         which = np.flatnonzero(on[number])
-        which = which[np.argsort(shares[number, which], kind="stable")]
-        yield number, shares[number, which], which
+        yield which[np.argsort(shares[number, which], kind="stable")]
 
 
 def snapped(value: float, known: Sequence[float], near: float) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from layoutkit.model import Opening, place
@@ -33,11 +33,12 @@ class Photos:
             self.known[design.file] = _photo(design)
         return self.known[design.file]
 
-    def files(self) -> Mapping[str, bytes]:
-        """Return the pictures as PNG files, by the designs' files."""
+    def files(self, shown: Collection[str]) -> Mapping[str, bytes]:
+        """Return the pictures that are shown as PNG files, by the designs' files."""
         from layoutkit.pictures import png_bytes
 
-        return {file: png_bytes(photo.image) for file, photo in self.known.items() if photo is not None}
+        known = ((file, photo) for file, photo in self.known.items() if photo is not None)
+        return {file: png_bytes(photo.image) for file, photo in known if file in shown}
 
 
 def dressed(number: int, surface: Surface, photos: Photos) -> Dressed:

@@ -59,7 +59,7 @@ class Inlay:
         """
         from manifold3d import triangulate
 
-        rings = [with_points(ring, further, near)[0] for ring in self.rings]
+        rings = [with_points(ring, further, near) for ring in self.rings]
         found = np.asarray(triangulate([flattened(ring, self.frame) for ring in rings]))
         points: Array = np.concatenate(rings)[found]
         return points

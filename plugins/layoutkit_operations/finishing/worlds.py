@@ -42,7 +42,7 @@ def world_of(
                 flat[element.name] = element.polygon
     around = [p for p in scene.settled().polygons if p.name not in given]
     shown = {skin.picture for body in bodies for skin in body.skins}
-    known = dict(photos.files())
+    known = dict(photos.files(shown))
     for site in sites:
         for solid in site.solids.values():
             known |= solid.looks.pictures if solid.looks is not None else {}

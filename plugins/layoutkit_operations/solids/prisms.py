@@ -70,10 +70,9 @@ class Prism:
         parts = [(edge, part, slope * distances) for edge, part, distances in planes(self.outline, eaves)]
         for edge in range(len(self.outline)):
             yield self._side(edge, low, high)
-        roofed = {edge for edge, _, _ in parts}
         for edge, part, rises in parts:
             yield self._facet(part, high + rises, ("Roof",))
-            if edge in roofed and self.cap == "gable":
+            if self.cap == "gable":
                 gable = (edge + 1) % len(self.outline)
                 yield self._gable(gable, high, [(p, r) for _, p, r in parts])
         if self.height > 0:
