@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from facades.drafting.parks import APART, examples, park, pond_example
+from facades.drafting.parts import part_of
 from layoutkit.model import LearningSettings, Placement, Scene
 from layoutkit.operations import Operations
 from layoutkit.operations.attributes import Colour
@@ -66,18 +67,18 @@ def _session(scene: Scene, label: str, plant: Callable[[Step], object]) -> Recor
 def _ponds(pond: Step) -> None:
     """Build a rim about the water, and a fountain in it."""
     _hollowed(pond, "Rim", Shape(sides=24, inset=-0.5), Shape(sides=24), Extrude(height=0.45, colour=_STONE))
-    _part(pond, "Column", Shape(width=0.7, height=0.7, sides=8)).do(Extrude(height=1.2, colour=_STONE))
-    bowl = _part(pond, "Bowl", Shape(width=2.2, height=2.2, sides=16))
+    part_of(pond, "Column", Shape(width=0.7, height=0.7, sides=8)).do(Extrude(height=1.2, colour=_STONE))
+    bowl = part_of(pond, "Bowl", Shape(width=2.2, height=2.2, sides=16))
     bowl.do(Extrude(base=1.2, height=0.2, colour=_STONE, roof_colour=_WATER))
     jet = Extrude(base=1.4, height=0.2, cap="hip", pitch=80, colour=_WATER, roof_colour=(214, 234, 242))
-    _part(pond, "Jet", Shape(width=0.4, height=0.4, sides=8)).do(jet)
+    part_of(pond, "Jet", Shape(width=0.4, height=0.4, sides=8)).do(jet)
     pond.do(Shape(inset=0.01)).do(Extrude(height=0.3, colour=_WATER))
 
 
 def _hollowed(whole: Step, label: str, outer: Shape, inner: Shape, wall: Extrude) -> None:
     """Build a wall along an outline: what is within it is taken away."""
-    _part(whole, "Hollow", inner).do(Extrude(height=1.0, colour=wall.colour))
-    _part(whole, label, outer).do(wall).do(Boolean(action="difference", with_="intersecting"))
+    part_of(whole, "Hollow", inner).do(Extrude(height=1.0, colour=wall.colour))
+    part_of(whole, label, outer).do(wall).do(Boolean(action="difference", with_="intersecting"))
     whole.select("Hollow").do(Delete())
 
 
@@ -85,11 +86,11 @@ def _beds(bed: Step) -> None:
     """Build a low hedge about soil, and plant flowers of several colours."""
     hedge = Extrude(height=0.5, random=0.1, colour=_HEDGE)
     _hollowed(bed, "Edging", Shape(inset=0.01), Shape(inset=0.4), hedge)
-    _part(bed, "Soil", Shape(inset=0.41)).do(Extrude(height=0.12, colour=_SOIL))
+    part_of(bed, "Soil", Shape(inset=0.41)).do(Extrude(height=0.12, colour=_SOIL))
     plants = bed.do(
         Array(label="Flower", each_width=0.42, each_height=0.42, gap_across=0.16, gap_up=0.16, margin=0.55)
     )
-    stalk = _part(plants, "Stalk", Shape(sides=6, inset=0.1))
+    stalk = part_of(plants, "Stalk", Shape(sides=6, inset=0.1))
     stalk.do(Extrude(base=0.1, height=0.3, random=0.2, colour=_HEDGE))
     for part, colour in zip(plants.split(1, 1, 1, 1), _FLOWERS, strict=True):
         blossom = Extrude(
@@ -153,11 +154,11 @@ def _lawns(lawn: Step) -> None:
 
 def _tree(tree: Step, trunk: float, crown: float, leaves: Colour) -> None:
     """Build a trunk, and a crown of three tiers."""
-    _part(tree, "Trunk", Shape(width=0.32, height=0.32, sides=8)).do(
+    part_of(tree, "Trunk", Shape(width=0.32, height=0.32, sides=8)).do(
         Extrude(height=trunk + 0.3, random=0.1, colour=_BARK)
     )
     for tier, (inset, base) in enumerate(((0.25, 0.0), (0.0, 0.45), (0.3, 0.45 + crown * 0.8))):
-        crowns = _part(tree, f"Crown_{tier + 1}", Shape(sides=8, inset=inset) if inset else Shape(sides=8))
+        crowns = part_of(tree, f"Crown_{tier + 1}", Shape(sides=8, inset=inset) if inset else Shape(sides=8))
         cap = Extrude(
             base=trunk + base,
             height=crown,
@@ -172,17 +173,17 @@ def _tree(tree: Step, trunk: float, crown: float, leaves: Colour) -> None:
 
 def _fir(tree: Step) -> None:
     """Build a trunk and three cones, one above the other."""
-    _part(tree, "Trunk", Shape(width=0.35, height=0.35, sides=8)).do(Extrude(height=1.0, colour=_BARK))
+    part_of(tree, "Trunk", Shape(width=0.35, height=0.35, sides=8)).do(Extrude(height=1.0, colour=_BARK))
     for tier, size in enumerate((2.8, 2.2, 1.5)):
         cone = Extrude(base=0.8 + 1.2 * tier, height=0.15, cap="hip", pitch=62, colour=_FIR, roof_colour=_FIR)
-        _part(tree, f"Crown_{tier + 1}", Shape(width=size, height=size, sides=8)).do(cone)
+        part_of(tree, f"Crown_{tier + 1}", Shape(width=size, height=size, sides=8)).do(cone)
 
 
 def _benches(bench: Step) -> None:
-    seat = _part(bench, "Seat", Shape(width=1.8, height=0.5))
-    _part(seat, "Back", Shape(height=0.06, up="top")).do(Extrude(base=0.44, height=0.45, colour=_OAK))
+    seat = part_of(bench, "Seat", Shape(width=1.8, height=0.5))
+    part_of(seat, "Back", Shape(height=0.06, up="top")).do(Extrude(base=0.44, height=0.45, colour=_OAK))
     for side in ("left", "right"):
-        _part(seat, "Leg", Shape(width=0.1, across=side)).do(Extrude(height=0.38, colour=_SLATE))
+        part_of(seat, "Leg", Shape(width=0.1, across=side)).do(Extrude(height=0.38, colour=_SLATE))
     seat.do(Extrude(base=0.38, height=0.06, colour=_OAK))
 
 
@@ -191,8 +192,8 @@ def _plazas(plaza: Step) -> None:
     corners = [(x * 4.1, y * 4.1, 0.9, 0.9) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
     pots = _put(plaza, "Pot", corners, corners, like=Place(limit=4)).do(Shape(width=0.9, height=0.9))
     ball = Extrude(base=0.6, height=0.5, random=0.2, cap="hip", pitch=60, colour=_HEDGE, roof_colour=_HEDGE)
-    _part(pots, "Topiary", Shape(sides=8, inset=0.05)).do(ball)
-    _part(pots, "Box").do(Extrude(height=0.6, colour=_WHITE))
+    part_of(pots, "Topiary", Shape(sides=8, inset=0.05)).do(ball)
+    part_of(pots, "Box").do(Extrude(height=0.6, colour=_WHITE))
     plaza.do(Extrude(height=-0.1, colour=_SAND))
 
 
@@ -205,13 +206,13 @@ def _terraces(terrace: Step) -> None:
         [(2.5, 1.2, 0.9, 0.9), (15.5, 1.2, 0.9, 0.9)],
         like=Place(limit=2, threshold=0.15),
     ).do(Shape(width=0.9, height=0.9))
-    _part(hall, "Steps", Shape(inset=-0.35)).do(Extrude(height=0.2, colour=_STONE))
+    part_of(hall, "Steps", Shape(inset=-0.35)).do(Extrude(height=0.2, colour=_STONE))
     roofed = Extrude(base=0.2, height=3.4, cap="hip", pitch=32, colour=_WHITE, roof_colour=_SLATE)
-    walls = _part(hall, "House").do(roofed)
+    walls = part_of(hall, "House").do(roofed)
     walls.select("Side").do(Vary(facade=design("pavilion.xml", _FOLDER)))
     cone = Extrude(base=0.6, height=0.2, cap="hip", pitch=72, colour=_FIR, roof_colour=_FIR)
-    _part(pots, "Topiary", Shape(sides=8, inset=0.05)).do(cone)
-    _part(pots, "Box").do(Extrude(height=0.6, colour=_WHITE))
+    part_of(pots, "Topiary", Shape(sides=8, inset=0.05)).do(cone)
+    part_of(pots, "Box").do(Extrude(height=0.6, colour=_WHITE))
     terrace.do(Extrude(height=-0.1, colour=_STONE))
 
 
@@ -233,14 +234,6 @@ def _walks(walk: Step) -> None:
     rafters = bower.do(Array(label="Rafter", each_width=0.12, gap_across=0.5))
     rafters.do(Extrude(base=2.56, height=0.12, colour=_OAK))
     walk.do(Extrude(height=-0.1, colour=_SAND))
-
-
-def _part(whole: Step, label: str, *shapes: Shape) -> Step:
-    """Return a part of something, that begins as a box like its own and is then given other shapes."""
-    part = whole.do(Array(label=label))
-    for shape in shapes:
-        part = part.do(shape)
-    return part
 
 
 def _put(

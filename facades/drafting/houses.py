@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from facades.drafting.learning import Shown, learned
+from facades.drafting.learning import SHARES, Shown, learned
 from facades.drafting.streets import village
 from facades.painting.buildings import BRICK, CREAM, WHITE
 from layoutkit.model import LearningSettings, PlacementModel, Polygon, Scene
@@ -26,13 +26,6 @@ ROUGH = LearningSettings(
     tolerance=7.0,
     shape_tolerance=0.4,
     relationships=("boundary-distance", "segment-distance", "normalised-bounding-box-coordinates"),
-)
-#: Within a rectangle, shares of its box say all.
-SHARES = LearningSettings(
-    shape_tolerance=0.0,
-    area_tolerance=0.0,
-    crossing=True,
-    relationships=("normalised-bounding-box-coordinates",),
 )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Literal
 
+from facades.drafting.parts import part_of
 from facades.drafting.rooms import APART, examples, floor
 from layoutkit.model import LearningSettings, Placement, Scene
 from layoutkit.operations import Operations
@@ -90,9 +91,9 @@ def _let_in(row: Step) -> tuple[Step, Step]:
 
 
 def _sink(sink: Step) -> None:
-    bowl = _part(sink, "Bowl", Shape(width=0.4, across="left"), Shape(sides=8, inset=0.05))
+    bowl = part_of(sink, "Bowl", Shape(width=0.4, across="left"), Shape(sides=8, inset=0.05))
     bowl.do(Extrude(base=0.912, height=0.004, colour=(120, 124, 128)))
-    _part(sink, "Tap", Shape(width=0.04, height=0.04, up="top")).do(
+    part_of(sink, "Tap", Shape(width=0.04, height=0.04, up="top")).do(
         Extrude(base=0.9, height=0.25, colour=_STEEL)
     )
     sink.do(Extrude(base=0.9, height=0.012, colour=_STEEL))
@@ -106,34 +107,34 @@ def _hob(hob: Step) -> None:
 
 def _counter(row: Step) -> None:
     """Build cabinets under a worktop, tiles on the wall, and cupboards above."""
-    _part(row, "Worktop").do(Extrude(base=0.86, height=0.04, colour=_OAK))
-    tiles = _part(row, "Tiles", Shape(height=0.03, up="top"))
+    part_of(row, "Worktop").do(Extrude(base=0.86, height=0.04, colour=_OAK))
+    tiles = part_of(row, "Tiles", Shape(height=0.03, up="top"))
     tiles.do(Extrude(base=0.9, height=0.55, colour=_WHITE))
-    above = _part(row, "Cupboard", Shape(height=0.36, up="top"))
+    above = part_of(row, "Cupboard", Shape(height=0.36, up="top"))
     above = above.do(Extrude(base=1.45, height=0.7, colour=_WHITE))
     above.select("Front").do(Vary(facade=design("cupboard.xml", _FOLDER)))
-    cabinets = _part(row, "Cabinets").do(Extrude(height=0.86, colour=_SAGE))
+    cabinets = part_of(row, "Cabinets").do(Extrude(height=0.86, colour=_SAGE))
     cabinets.select("Front").do(Vary(facade=design("cabinet.xml", _FOLDER)))
 
 
 def _dining(place: Step, length: float) -> None:
     """Build a table with chairs at both long sides, each with its back away from it."""
     for up in _BOTH:
-        row = _part(place, "Seats", Shape(width=length - 0.15, height=0.45, up=up))
+        row = part_of(place, "Seats", Shape(width=length - 0.15, height=0.45, up=up))
         _chairs(row.do(Array(label="Chair", each_width=0.44, gap_across=0.1)), up)
-    _table(_part(place, "Table", Shape(width=length, height=0.8)), 0.71)
+    _table(part_of(place, "Table", Shape(width=length, height=0.8)), 0.71)
 
 
 def _chairs(chair: Step, up: Literal["top", "bottom"]) -> None:
-    back = _part(chair, "Back", Shape(height=0.05, up=up))
+    back = part_of(chair, "Back", Shape(height=0.05, up=up))
     back.do(Extrude(base=0.46, height=0.42, colour=_WALNUT))
     _legs(chair, 0.42, 0.22, 0.22)
-    _part(chair, "Seat").do(Extrude(base=0.42, height=0.04, colour=_OAK))
+    part_of(chair, "Seat").do(Extrude(base=0.42, height=0.04, colour=_OAK))
 
 
 def _table(table: Step, height: float) -> None:
     _legs(table, height, 0.7, 0.35)
-    _part(table, "Top").do(Extrude(base=height, height=0.04, colour=_OAK))
+    part_of(table, "Top").do(Extrude(base=height, height=0.04, colour=_OAK))
 
 
 def _legs(top: Step, height: float, across: float, up: float) -> None:
@@ -161,24 +162,24 @@ def _bedrooms(bedroom: Step) -> Iterator[Builder]:
 
 
 def _beds(bed: Step) -> None:
-    board = _part(bed, "Headboard", Shape(height=0.07, up="top"))
+    board = part_of(bed, "Headboard", Shape(height=0.07, up="top"))
     board.do(Extrude(height=1.0, colour=_WALNUT))
-    mattress = _part(bed, "Mattress", Shape(inset=0.08))
+    mattress = part_of(bed, "Mattress", Shape(inset=0.08))
     pillows = mattress.do(Array(label="Pillow", each_width=0.6, gap_across=0.1, margin=0.06))
     pillows.do(Shape(height=0.38, up="top")).do(Extrude(base=0.5, height=0.09, colour=_WHITE))
-    cover = _part(mattress, "Cover", Shape(height=1.25, up="bottom"))
+    cover = part_of(mattress, "Cover", Shape(height=1.25, up="bottom"))
     for part, colour in zip(cover.split(1, 1, 1), (_BLUE, _RUST, _SAGE), strict=True):
         part.do(Extrude(base=0.5, height=0.05, colour=colour))
     mattress.do(Extrude(base=0.3, height=0.2, colour=_LINEN))
-    _part(bed, "Frame").do(Extrude(height=0.3, colour=_WALNUT))
+    part_of(bed, "Frame").do(Extrude(height=0.3, colour=_WALNUT))
 
 
 def _night_tables(tables: Step) -> None:
-    foot = _part(tables, "Foot", Shape(width=0.05, height=0.05))
+    foot = part_of(tables, "Foot", Shape(width=0.05, height=0.05))
     foot.do(Extrude(base=0.5, height=0.12, colour=_STEEL))
     shade = Extrude(base=0.62, height=0.14, cap="hip", pitch=50, colour=_LIGHT, roof_colour=_LIGHT)
-    _part(tables, "Lamp", Shape(width=0.24, height=0.24, sides=8)).do(shade)
-    _part(tables, "Chest").do(Extrude(height=0.5, colour=_WALNUT))
+    part_of(tables, "Lamp", Shape(width=0.24, height=0.24, sides=8)).do(shade)
+    part_of(tables, "Chest").do(Extrude(height=0.5, colour=_WALNUT))
 
 
 def _wardrobes(wardrobe: Step) -> None:
@@ -216,18 +217,18 @@ def _rugs(rug: Step) -> None:
 def _sofas(sofa: Step) -> None:
     for part, cover in zip(sofa.split(1, 1), _COVERS, strict=True):
         for side in ("left", "right"):
-            _part(part, "Arm", Shape(width=0.18, across=side)).do(Extrude(height=0.6, colour=cover))
-        _part(part, "Back", Shape(height=0.2, up="top")).do(Extrude(height=0.82, colour=cover))
-        middle = _part(part, "Middle", Shape(width=1.82), Shape(height=0.68, up="bottom"))
+            part_of(part, "Arm", Shape(width=0.18, across=side)).do(Extrude(height=0.6, colour=cover))
+        part_of(part, "Back", Shape(height=0.2, up="top")).do(Extrude(height=0.82, colour=cover))
+        middle = part_of(part, "Middle", Shape(width=1.82), Shape(height=0.68, up="bottom"))
         seats = middle.do(Array(label="Seat", each_width=0.9, gap_across=0.01))
         seats.do(Extrude(base=0.3, height=0.16, colour=_LINEN))
-        _part(part, "Frame").do(Extrude(height=0.3, colour=cover))
+        part_of(part, "Frame").do(Extrude(height=0.3, colour=cover))
 
 
 def _benches(bench: Step) -> None:
-    screen = _part(bench, "Screen", Shape(width=1.3, height=0.05))
+    screen = part_of(bench, "Screen", Shape(width=1.3, height=0.05))
     screen.do(Extrude(base=0.5, height=0.72, colour=_BLACK))
-    _part(bench, "Chest").do(Extrude(height=0.45, colour=_OAK))
+    part_of(bench, "Chest").do(Extrude(height=0.45, colour=_OAK))
 
 
 def _shelves(shelf: Step) -> None:
@@ -239,27 +240,19 @@ def _plants(plant: Step) -> None:
     leaves = Extrude(
         base=0.45, height=0.5, random=0.3, cap="hip", pitch=55, colour=_GREEN, roof_colour=_GREEN
     )
-    _part(plant, "Leaves", Shape(sides=8, inset=-0.08)).do(leaves)
-    _part(plant, "Pot", Shape(sides=8, inset=0.06)).do(Extrude(height=0.45, colour=_CLAY))
+    part_of(plant, "Leaves", Shape(sides=8, inset=-0.08)).do(leaves)
+    part_of(plant, "Pot", Shape(sides=8, inset=0.06)).do(Extrude(height=0.45, colour=_CLAY))
 
 
 def _shell(session: Recorder) -> None:
     """Build walls, cut at the height of the elbow, windows, leaves of open doors; then floors."""
     session.select("Wall").do(Extrude(height=1.25, colour=_PLASTER, roof_colour=(120, 116, 110)))
     window = session.select("Window")
-    _part(window, "Pane", Shape(height=0.04)).do(Extrude(base=0.8, height=0.45, colour=_GLASS))
+    part_of(window, "Pane", Shape(height=0.04)).do(Extrude(base=0.8, height=0.45, colour=_GLASS))
     window.do(Extrude(height=0.8, colour=_PLASTER, roof_colour=_WHITE))
     session.select("Door").do(Shape(width=0.05, across="left")).do(Extrude(height=1.25, colour=_OAK))
     session.select("Kitchen", "Hall", "Threshold").do(Extrude(height=-0.1, colour=(222, 220, 212)))
     session.select("Bedroom", "LivingRoom").do(Extrude(height=-0.1, colour=(222, 192, 152)))
-
-
-def _part(whole: Step, label: str, *shapes: Shape) -> Step:
-    """Return a part of something, that begins as a box like its own and is then given other shapes."""
-    part = whole.do(Array(label=label))
-    for shape in shapes:
-        part = part.do(shape)
-    return part
 
 
 def _put(

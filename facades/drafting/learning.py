@@ -9,6 +9,14 @@ from layoutkit.hooks.host import Host
 from layoutkit.hooks.running import Runner
 from layoutkit.model import LearningSettings, Placement, PlacementModel, Polygon, Scene
 
+#: Within a rectangle, shares of its box say all.
+SHARES = LearningSettings(
+    shape_tolerance=0.0,
+    area_tolerance=0.0,
+    crossing=True,
+    relationships=("normalised-bounding-box-coordinates",),
+)
+
 
 @dataclass(frozen=True)
 class Shown:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from facades.drafting.learning import Shown, learned
+from facades.drafting.learning import SHARES, Shown, learned
 from layoutkit.model import LearningSettings, PlacementModel, Polygon, Scene
 from layoutkit.model.face import Point
 from layoutkit.operations import Design, Operations
@@ -28,13 +28,6 @@ ROUGH = LearningSettings(
     tolerance=6.0,
     shape_tolerance=0.5,
     relationships=("boundary-distance", "segment-distance", "normalised-bounding-box-coordinates"),
-)
-#: On a rectangle, shares of its box say all.
-SHARES = LearningSettings(
-    shape_tolerance=0.0,
-    area_tolerance=0.0,
-    crossing=True,
-    relationships=("normalised-bounding-box-coordinates",),
 )
 
 
