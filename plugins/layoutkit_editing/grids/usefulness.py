@@ -160,9 +160,14 @@ def _lined(spans: Floats, lines: Matrix) -> tuple[float, float]:
     means = np.add.reduceat(anchors, begins, axis=1) / counts
     off = np.add.reduceat(np.abs(anchors - np.repeat(means, counts, axis=1)), begins, axis=1)
     sizes = np.add.reduceat(own[:, 1] - own[:, 0], begins) / counts
-    gaps = np.diff(means[0])
-    uneven = float(gaps.std() / gaps.mean()) if len(gaps) > 1 else 0.0
-    return float((off.min(axis=0) / sizes).sum() / len(own)), uneven
+    return float((off.min(axis=0) / sizes).sum() / len(own)), _uneven(np.diff(means[0]))
+
+
+def _uneven(gaps: Floats) -> float:
+    """Return how much distances vary, compared with their mean; no bound if the last line is not the last."""
+    if len(gaps) < 2:
+        return 0.0
+    return float(gaps.std() / gaps.mean()) if gaps.mean() > 0 else math.inf
 
 
 def _mingled(lines: Matrix, names: Sequence[str]) -> float:
