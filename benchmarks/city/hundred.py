@@ -42,9 +42,9 @@ class Measured:
     work
         Tasks by how many plots their tiles have at most.
     loading
-        Seconds until a worker has all loaded, without what grows with the scene.
+        Seconds until a worker has all loaded.
     preparations
-        Of two scenes, the larger one last.
+        Of two scenes by the command, the larger one last.
     """
 
     work: dict[int, list[Done]]
@@ -184,9 +184,10 @@ def _row(plots: int, commands: int, tile: int, line: float, found: Measured) -> 
     groups = random.uniform(*SPEEDS, size=(commands, machines)).tolist()
     speeds = tuple(min(groups, key=sum))
     rate = line * 1e9 / 8
-    cluster = Machines(speeds, CORES, _beginning(own, machines, rate, found), rate)
+    begin = found.loading, found.preparation(own)
+    cluster = Machines(speeds, CORES, begin, rate)
     course = simulated(tasks, cluster, found.costs)
-    single = Machines((1.0,), CORES, _beginning(own, 1, rate, found), rate)
+    single = Machines((1.0,), CORES, begin, rate)
     alone = commands * simulated(tasks, single, found.costs).seconds
     # Of a hundred machines, one is lost: where commands have one each, that one begins anew elsewhere.
     lost = simulated(tasks, replace(cluster, lost=1), found.costs) if machines > 1 else None
@@ -196,15 +197,3 @@ def _row(plots: int, commands: int, tile: int, line: float, found: Measured) -> 
         f"{course.limit:<9} {100 * course.shares[course.limit]:4.0f} % {alone:12.0f} "
         f"{alone / course.seconds:6.1f} {after}"
     )
-
-
-def _beginning(plots: int, machines: int, rate: float, found: Measured) -> tuple[float, float]:
-    """Return how long a core needs until it can begin, and the client before.
-
-    The scene goes from worker to worker, so that twice as many have it each time, and to every core of a
-    machine over the machine's one line.
-    """
-    size = found.preparations[-1].size / found.preparations[-1].plots * plots
-    sent = size / rate * (math.log2(machines) + CORES)
-    prepared = found.preparation(plots)
-    return found.loading + prepared + sent, prepared

@@ -83,14 +83,14 @@ class Timed:
 
 @dataclass(frozen=True, slots=True)
 class Preparation:
-    """What every worker does with a whole scene before its first task, and the command before all.
+    """What the command does with a whole scene before it hands over the first task.
 
     Attributes
     ----------
     size
         Of the scene's document, in bytes.
     steps
-        Seconds of each step: reading, finding sites, dividing them into tiles.
+        Seconds of each step: reading, finding sites, dividing them into the scenes of tiles.
     memory
         By how much the memory has grown, in megabytes.
     """
@@ -107,13 +107,16 @@ def replays(scene: Scene, tile: int) -> list[Task]:
     document = read_operations(OPERATIONS, host.operations, host.constraints)
     shared = Shared(document.files, {**_OPTIONS, "tile": tile})
     return [
-        Task(f"t{number}", _timed, _arguments(part, names, f"t{number}"), shared)
-        for number, (part, names) in enumerate(tiles_of(scene, sites_of(scene, _PLOTS), tile))
+        Task(f"t{number}", _timed, _arguments(text, names, f"t{number}"), shared)
+        for number, (text, names) in enumerate(_parts(scene, sites_of(scene, _PLOTS), tile))
     ]
 
 
-def _arguments(part: Scene, names: Sequence[str], stem: str) -> dict[str, Any]:
-    text = scene_bytes(part).decode()
+def _parts(scene: Scene, sites: Sequence[Scene], tile: int) -> list[tuple[str, Sequence[str]]]:
+    return [(scene_bytes(part).decode(), names) for part, names in tiles_of(scene, sites, tile)]
+
+
+def _arguments(text: str, names: Sequence[str], stem: str) -> dict[str, Any]:
     return {"scene": text, "sites": list(names), "seed": 0, "stem": stem, "plots": len(names)}
 
 
@@ -143,7 +146,7 @@ def carried_out(tasks: Sequence[Task], runner: Runner) -> Timed:
 
 
 def prepared(scene: Scene, tile: int) -> Preparation:
-    """Prepare a scene as workers do, and return how long it took."""
+    """Prepare a scene as the command does, and return how long it took."""
     data = scene_bytes(scene)
     peak = Peak()
     before = peak.megabytes()
@@ -159,7 +162,7 @@ def _steps(data: bytes, tile: int) -> Iterator[None]:
     yield
     sites = sites_of(scene, _PLOTS)
     yield
-    tiles_of(scene, sites, tile)
+    _parts(scene, sites, tile)
     yield
 
 

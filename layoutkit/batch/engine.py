@@ -125,7 +125,8 @@ def _earlier(journal: Journal, plan: Plan, folder: Path, afresh: bool) -> set[st
         return {record.key for record in done if all(file.stands(folder) for file in record.files)}
     elif records:
         command = header.get("command", "another program")
-        message = f"the folder has results of another run: of `{command}`, with other inputs or options"
+        what = "inputs, options or releases of libraries"
+        message = f"the folder has results of another run: of `{command}`, with other {what}"
         hint = "name another folder with -o; or begin anew in this one with --afresh, which deletes them"
         raise Faulty([Diagnostic("LK890", message, Place(str(folder)), hint, topic="batch")])
     return None

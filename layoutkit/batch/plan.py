@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from layoutkit import __version__
+from layoutkit.batch.survey import libraries
 from layoutkit.batch.task import Task, digest_of
 
 
@@ -42,6 +43,7 @@ class Plan:
     def fingerprint(self) -> str:
         """The same for all runs that give the same bytes: the digest of all that goes into results."""
         tasks = [[task.key, task.source.digest, task.arguments] for task in self.tasks]
+        installed = {"layoutkit": __version__, **libraries()}
         return digest_of(
-            {"command": self.command, "layoutkit": __version__, "options": self.options, "tasks": tasks}
+            {"command": self.command, "installed": installed, "options": self.options, "tasks": tasks}
         )

@@ -14,6 +14,7 @@ import sys
 from collections import Counter, deque
 from collections.abc import Generator, Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
@@ -57,7 +58,7 @@ class Processes:
         queue, workers = _Queue(iter(tasks)), dict[Connection, _Worker]()
         try:
             while True:
-                while len(workers) < self.count and queue.waiting:
+                while len(workers) < self.count and queue.suffices(1 + _starting(workers.values())):
                     worker = _Worker.started()
                     workers[worker.connection] = worker
                 if not workers:
@@ -71,6 +72,11 @@ class Processes:
         finally:
             for worker in workers.values():
                 worker.stop()
+
+
+def _starting(workers: Iterable[_Worker]) -> int:
+    """Return how many processes are there that have no task yet."""
+    return sum(worker.task is None for worker in workers)
 
 
 def _heard(worker: _Worker, queue: _Queue) -> Finished | None:
@@ -106,9 +112,12 @@ class _Queue:
     @property
     def waiting(self) -> bool:
         """Whether there is another task."""
-        if not self._again:
-            self._again.extend(task for task in (next(self.tasks, None),) if task is not None)
-        return bool(self._again)
+        return self.suffices(1)
+
+    def suffices(self, workers: int) -> bool:
+        """Tell whether there are tasks for so many workers."""
+        self._again.extend(islice(self.tasks, max(0, workers - len(self._again))))
+        return len(self._again) >= workers
 
     def next(self) -> Task:
         """Return the next task; there has to be one."""

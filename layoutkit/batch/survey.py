@@ -9,15 +9,19 @@ from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.diagnostics.origin import BUILT_IN, Origin, installed
 
 #: Libraries whose releases may differ in the last digit, or in a picture's bytes.
-_LIBRARIES = ("numpy", "scipy", "daqp", "clarabel", "pillow", "shapely", "manifold3d")
+_LIBRARIES = ("numpy", "scipy", "daqp", "clarabel", "pillow", "shapely", "manifold3d", "trimesh")
 
 
 def survey() -> Mapping[str, str]:
     """Return versions: of layoutkit as it is imported, of its plugins' packages, and of libraries."""
     others = (origin for origin in map(Origin.of, installed()) if not origin.ours)
     plugins = {_plugin(origin.name): f"{origin.package} {origin.version}" for origin in others}
-    libraries = {name: found for name in _LIBRARIES if (found := _version(name))}
-    return {BUILT_IN.package: BUILT_IN.version, **plugins, **libraries}
+    return {BUILT_IN.package: BUILT_IN.version, **plugins, **libraries()}
+
+
+def libraries() -> dict[str, str]:
+    """Return the releases of libraries that results hang on."""
+    return {name: found for name in _LIBRARIES if (found := _version(name))}
 
 
 def differences(

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,15 +18,22 @@ from layoutkit.cli.editing import misused
 from layoutkit.cli.exits import EXITS, Exit, exit_of
 from layoutkit.cli.meter import Meter, meter
 from layoutkit.cli.session import Session
-from layoutkit.diagnostics import Diagnostic, Severity
+from layoutkit.diagnostics import Diagnostic, Place, Severity
 
 if TYPE_CHECKING:
     from layoutkit.batch import Finished, Plan, Report, Runner
 
-#: So many different failures, and so many remarks, are told on the terminal; the manifest has all.
+#: So many different failures, and so many kinds of remarks, are told on the terminal; the manifest has all.
 SHOWN = 20
+#: So many remarks of one kind are told.
+_OF_A_KIND = 2
 #: More seeds than these are a slip.
 MOST_SEEDS = 1_000_000
+
+#: What remarks have in common that differ only in what they name.
+_Kind = tuple[str, Severity, Place | None]
+#: Remarks of kinds that are not told.
+_OTHERS: _Kind = ("", Severity.NOTE, None)
 
 #: Where several apply, the first of these is how the run ends.
 _GRAVEST = (Exit.INTERNAL, Exit.PLUGIN, Exit.USAGE, Exit.FAULTS, Exit.INFEASIBLE, Exit.LIMIT)
@@ -81,7 +89,6 @@ SeedList = Annotated[
         "--seeds",
         parser=read_seeds,
         metavar="SEEDS",
-        show_default="0",
         help="Starts of random choices, such as 0-9 or 1,5,7: the same seed gives the same bytes.",
     ),
 ]
@@ -183,7 +190,6 @@ def carried_out(
         _tell_how_to_go_on(shown, what)
         raise
     outcome.sort([task.key for task in plan.tasks])
-    session.report(outcome.remarks)
     outcome.tell(session)
     if as_json:
         console.emit(_as_data(session, report, folder, outcome, time.monotonic() - start))
@@ -199,14 +205,17 @@ class _Outcome:
     Attributes
     ----------
     remarks
-        Of tasks that were done, each once.
+        Of tasks that were done, the first different ones of each kind.
+    more
+        How many others there were of each kind.
     failures
         The tasks that failed with the same diagnostics, of the first different ones.
     failed
         Of all that failed: the task, how its search ended if it did, and codes.
     """
 
-    remarks: dict[Diagnostic, None] = field(default_factory=dict)
+    remarks: dict[_Kind, list[Diagnostic]] = field(default_factory=dict)
+    more: Counter[_Kind] = field(default_factory=Counter)
     failures: dict[tuple[Diagnostic, ...], list[str]] = field(default_factory=dict)
     failed: list[dict[str, Any]] = field(default_factory=list)
     _exits: set[Exit] = field(default_factory=set)
@@ -214,8 +223,8 @@ class _Outcome:
     def add(self, finished: Finished) -> None:
         """Take note of a task."""
         if finished.status == "done":
-            fresh = (d for d in finished.diagnostics if d not in self.remarks)
-            self.remarks.update(dict.fromkeys(list(fresh)[: SHOWN - len(self.remarks)]))
+            for remark in finished.diagnostics:
+                self._add_remark(remark)
             return
         told = tuple(d for d in finished.diagnostics if d.severity is not Severity.NOTE)
         if told in self.failures or len(self.failures) < SHOWN:
@@ -224,6 +233,18 @@ class _Outcome:
         codes = sorted({d.code for d in told})
         self.failed.append({"task": finished.key, "status": status, "codes": codes})
         self._exits.add(_exit(status, told))
+
+    def _add_remark(self, remark: Diagnostic) -> None:
+        """Take note of a remark: on one task, or on many that are alike already."""
+        kind = remark.code, remark.severity, remark.place
+        if kind not in self.remarks and len(self.remarks) == SHOWN:
+            self.more[_OTHERS] += remark.count
+            return
+        known = self.remarks.setdefault(kind, [])
+        if remark.count > 1 or (remark not in known and len(known) == _OF_A_KIND):
+            self.more[kind] += remark.count
+        elif remark not in known:
+            known.append(remark)
 
     def sort(self, keys: Sequence[str]) -> None:
         """Bring failures into the order of tasks: they came as workers were done."""
@@ -239,7 +260,14 @@ class _Outcome:
         return next((code for code in _GRAVEST if code in self._exits), Exit.DONE)
 
     def tell(self, session: Session) -> None:
-        """Tell which tasks failed, and why; those that failed alike together."""
+        """Tell what was remarked, which tasks failed, and why; those that failed alike together."""
+        for kind, known in self.remarks.items():
+            session.report(known)
+            if more := self.more[kind]:
+                message = f"and {more:,} more of this kind, which the manifest lists"
+                session.report([replace(known[0], message=message, count=more)])
+        if more := self.more[_OTHERS]:
+            print(f"and {more:,} more remarks of other kinds; the manifest has all", file=sys.stderr)
         for diagnostics, keys in self.failures.items():
             print(f"failed: {_some(keys)}", file=sys.stderr)
             session.report(diagnostics)

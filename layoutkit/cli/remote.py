@@ -48,7 +48,8 @@ class RemoteSession(Session):
 
     def report(self, diagnostics: Iterable[Diagnostic] = ()) -> None:
         """Keep diagnostics, each once."""
-        self.diagnostics += [d for d in dict.fromkeys(diagnostics) if d not in self.diagnostics]
+        known = set(self.diagnostics)
+        self.diagnostics += [d for d in dict.fromkeys(diagnostics) if d not in known]
 
     def read(self, path: Path) -> Document:
         """Read a facade document from its bytes.

@@ -21,6 +21,7 @@ from layoutkit.cli.batching import (
     plugins_of,
     runner_of,
 )
+from layoutkit.cli.editing import misused
 from layoutkit.cli.options import Json, finite
 from layoutkit.cli.remote import options_of
 from layoutkit.cli.replayed import replay_tile, side_of
@@ -33,6 +34,7 @@ from layoutkit.model import Scene
 if TYPE_CHECKING:
     from layoutkit.batch import Plan, Task
     from layoutkit.documents.operations import OperationsDocument
+    from layoutkit.operations import Operations
 
 EXAMPLES = """
 Examples:
@@ -82,15 +84,18 @@ def replay(
             "--view",
             metavar="SIDE",
             show_default=", ".join(_SIDES),
-            help="Where a picture is seen from: south-west, east, or degrees from north over east; may be "
-            "given several times.",
+            help="Where a picture is seen from: south-west, east, or degrees from north over east, such as "
+            "75; may be given several times.",
         ),
     ] = None,
-    drawn: Annotated[bool, typer.Option("--views/--no-views", help="Whether pictures are drawn.")] = True,
+    undrawn: Annotated[bool, typer.Option("--no-views", help="Draw no pictures.")] = False,
     elevation: Annotated[
         float,
         typer.Option(
-            min=1, max=90, callback=finite, help="How steeply pictures are seen from above, in degrees."
+            min=1,
+            max=90,
+            callback=finite,
+            help="How steeply pictures are seen from above, in degrees: 90 is straight down.",
         ),
     ] = 33.0,
     width: Annotated[int, typer.Option(min=64, max=10_000, help="Width of pictures, in pixels.")] = 1200,
@@ -115,7 +120,7 @@ def replay(
     runner = runner_of(session, workers, scheduler)
     options = {
         "formats": [str(name) for name in dict.fromkeys(formats or [Format("glb")])],
-        "views": _sides(views) if drawn else [],
+        "views": _sides(views, undrawn=undrawn),
         "elevation": elevation,
         "width": width,
         "tile": tile,
@@ -140,13 +145,37 @@ def _read(session: Session, file: Path) -> OperationsDocument:
     session.host.stages.find("replay")
     document = read_operations(file, session.host.operations, session.host.constraints)
     session.report(document.diagnostics)
+    _check_pictures(document.operations, operations_file=file)
     return document
 
 
-def _sides(views: Sequence[str] | None) -> list[str]:
-    """Return the sides to draw; raise `Faulty` where one is none."""
+def _check_pictures(operations: Operations, operations_file: Path) -> None:
+    """Raise `Faulty` if pictures of facades cannot be decoded: tasks would all fail of it."""
+    from layoutkit.operations import Design
+    from layoutkit.pictures import Photo
+
+    held = (value for node in operations.nodes for value in vars(node.operation).values())
+    designs = {value.file: value for value in held if isinstance(value, Design)}
+    faults: list[Diagnostic] = []
+    for file, design in designs.items():
+        if design.facade is not None and design.facade.picture is not None:
+            picture = operations_file.parent / Path(file).parent / design.facade.picture.file
+            try:
+                Photo.decoded(design.facade, design.picture, picture)
+            except Faulty as faulty:
+                faults += faulty.diagnostics
+    if faults:
+        raise Faulty(faults)
+
+
+def _sides(views: Sequence[str] | None, *, undrawn: bool) -> list[str]:
+    """Return the sides to draw; raise `Faulty` where one is none, or some are asked for and none wanted."""
     from layoutkit.pictures.worlds.camera import bearing_of
 
+    if undrawn:
+        if views:
+            raise misused("--view asks for a picture, and --no-views for none", "leave one of them away")
+        return []
     sides = list(dict.fromkeys(views or _SIDES))
     for side in sides:
         if isinstance(bearing := side_of(side), float) and not 0 <= bearing < 360:

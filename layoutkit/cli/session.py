@@ -91,7 +91,8 @@ class Session:
     def report(self, diagnostics: Iterable[Diagnostic] = ()) -> None:
         """Show diagnostics, after those of plugins that have failed meanwhile; each once."""
         failed = self.host.diagnostics if "host" in vars(self) else ()
-        new = [d for d in dict.fromkeys((*failed, *diagnostics)) if d not in self.diagnostics]
+        known = set(self.diagnostics)
+        new = [d for d in dict.fromkeys((*failed, *diagnostics)) if d not in known]
         self.diagnostics += new
         console.show(new)
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from layoutkit.diagnostics import Diagnostic, Faulty, blame
 from layoutkit.model import Scene, World
-from layoutkit.operations import Branch, Context, Node, Operations, Site
+from layoutkit.operations import Branch, Context, Node, Operation, Operations, Site
 from layoutkit.operations.operation import Scope
 from layoutkit.operations.sites import number_of, sites_of
 
@@ -65,8 +66,8 @@ class Replay:
         number = self._numbers[id(node)]
         own = self.context.within(number)
         self.scopes[number] = scope
-        site, output = node.operation.apply(scope, site, own.within(_DOING))
-        self.outputs[number] = output
+        site, made = node.operation.apply(scope, site, own.within(_DOING))
+        output = self.outputs[number] = _standing(made, site, node.operation)
         site = self._all(node.children, output, site)
         for index, part in enumerate(dealt_out(output, node.branches, own.within(_DEALING))):
             self.parts[number, index] = part
@@ -146,6 +147,20 @@ def replayed(
     return Replayed(scene, tuple(replays), tuple(sites), frozenset(given), context)
 
 
+def _standing(made: Scope, site: Site, operation: Operation) -> Scope:
+    """Return what an operation says that it made, each once.
+
+    Raises
+    ------
+    Misbehaviour
+        If some of it is not there.
+    """
+    for name in made:
+        if name not in site.elements and name not in site.surfaces:
+            raise blame.Misbehaviour(operation, f"says that it made {name!r}, which is not there")
+    return tuple(dict.fromkeys(made))
+
+
 def dealt_out(output: Scope, branches: Sequence[Branch], context: Context) -> Iterator[Scope]:
     """Yield the part of each branch: what was made is dealt out at random, by the branches' weights.
 
@@ -153,11 +168,13 @@ def dealt_out(output: Scope, branches: Sequence[Branch], context: Context) -> It
     """
     if not branches:
         return
-    total = sum(branch.weight for branch in branches)
+    most = max(branch.weight for branch in branches)
+    shares = [branch.weight / most for branch in branches]
+    total = math.fsum(shares)
     shuffled = context.random().permutation(len(output)).tolist()
     end, begin = float(context.random(0).random()), 0
-    for number, branch in enumerate(branches):
-        end += len(output) * branch.weight / total
+    for number, share in enumerate(shares):
+        end += len(output) * share / total
         last = len(output) if number == len(branches) - 1 else max(begin, min(int(end), len(output)))
         yield tuple(output[index] for index in sorted(shuffled[begin:last]))
         begin = last

@@ -76,7 +76,8 @@ class ReplayOperations(Stage):
 def check_units(operations: Operations, scene: Scene) -> None:
     """Raise `Faulty` where operations and scene count in different units (LK881)."""
     if operations.units != scene.units:
-        message = f"the operations {operations.name} are in {operations.units}, the scene in {scene.units}"
+        named = f"the operations {operations.name} are in {operations.units}"
+        message = f"{named}, and the scene {scene.name} in {scene.units}"
         hint = "write both in the same units"
         raise Faulty([Diagnostic("LK881", message, hint=hint, topic="operations")])
 

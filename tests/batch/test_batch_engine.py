@@ -178,6 +178,16 @@ def test_another_run_is_not_mixed_in(
     same(folder, tmp_path / "two")
 
 
+def test_other_releases_of_libraries_make_another_run(
+    squares: Squares, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    carry_out(squares(3), tmp_path, InProcess())
+    monkeypatch.setattr("layoutkit.batch.plan.libraries", lambda: {"numpy": "0.1"})
+    with pytest.raises(Faulty) as faulty:
+        carry_out(squares(3), tmp_path, InProcess())
+    assert code_of(faulty) == "LK890"
+
+
 def test_a_run_that_did_nothing_stands_in_nobodys_way(squares: Squares, tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         carry_out(squares(3), tmp_path, Counting(0))

@@ -14,7 +14,7 @@ import pytest
 from layoutkit import __version__
 from layoutkit.batch import Finished, InProcess, Plan, Runner, Shared, Task, Watching, carry_out
 from layoutkit.batch.cluster import LOCAL, Cluster
-from layoutkit.batch.processes import Processes
+from layoutkit.batch.processes import Processes, _Worker
 from layoutkit.batch.survey import differences, survey
 from layoutkit.diagnostics import Faulty, Severity
 
@@ -124,6 +124,21 @@ def test_no_more_tasks_are_taken_than_workers_need(runner: Runner) -> None:
     ahead = [len(taken) - done for done, _ in enumerate(runner.run(tasks()), 1)]
     assert len(taken) == 40
     assert max(ahead) <= 2 * 2, "at most two for each worker are under way"
+
+
+def test_no_more_processes_are_started_than_there_are_tasks(
+    squares: Squares, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    started: list[int] = []
+    begin = _Worker.started
+
+    def counted() -> _Worker:
+        started.append(1)
+        return begin()
+
+    monkeypatch.setattr(_Worker, "started", counted)
+    assert len(list(Processes(6).run(squares(2).tasks))) == 2
+    assert len(started) == 2
 
 
 def test_a_run_that_is_left_ends_its_workers(squares: Squares) -> None:

@@ -101,7 +101,18 @@ def test_what_an_inset_leaves_nothing_of_stays_and_that_is_told():
     own = site(waist)
     points, (told,) = shaped(own, "A", inset=0.5)
     assert points == own.elements["A"].points
-    assert "one piece" in told.message
+    assert "not be one outline" in told.message
+
+
+def test_an_outline_that_would_close_round_a_hole_stays_and_that_is_told():
+    ring = ((0, 0), (9, 0), (9, 9), (5, 9), (5, 6), (6, 6), (6, 3), (3, 3), (3, 6), (4, 6), (4, 9), (0, 9))
+    own = site(ring)
+    points, told = shaped(own, "A", inset=-0.4)
+    assert not told
+    assert shapely.Polygon(points).area > shapely.Polygon(ring).area
+    points, (told,) = shaped(own, "A", inset=-0.6)
+    assert points == own.elements["A"].points
+    assert "without holes" in told.message
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ CODES = (
     Code(
         "LK890",
         "results of another run",
-        "The folder holds results of a run with other inputs or options, or of another release.",
+        "The folder holds results of a run with other inputs or options, or by other releases of libraries.",
         "An option was changed between two runs into one folder.",
         "Name another folder with -o, or begin anew with --afresh.",
     ),

@@ -139,5 +139,5 @@ def bearing_of(side: str | float) -> float:
         return float(side)
     if side in BEARINGS:
         return BEARINGS[side]
-    hint = did_you_mean(side, BEARINGS)
+    hint = f"{did_you_mean(side, BEARINGS)}; or write degrees from north over east"
     raise Faulty([Diagnostic("LK701", f"{side!r} is no direction of the compass", hint=hint, topic="usage")])

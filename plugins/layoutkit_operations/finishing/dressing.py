@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from layoutkit.model import Opening, place
 from layoutkit.operations import Design, Surface
@@ -75,10 +76,7 @@ def openings_of(part: Dressed) -> Iterator[tuple[str, Opening]]:
 
 def _photo(design: Design) -> Photo | None:
     """Return a design's photo, decoded."""
-    import io
-
-    from PIL import Image
-
-    if design.picture is None or design.facade is None:
+    if design.facade is None or design.facade.picture is None:
         return None
-    return Photo(design.facade, Image.open(io.BytesIO(design.picture)))
+    file = Path(design.file).parent / design.facade.picture.file
+    return Photo.decoded(design.facade, design.picture, file)

@@ -67,7 +67,7 @@ class Boolean(Operation):
         return Result(site, tuple(done))
 
     def _with_surface(self, element: Element, solid: Solid, site: Site, context: Context) -> Site | None:
-        from layoutkit_operations.solids.booleans import subtracted, united
+        from layoutkit_operations.solids.booleans import meet, subtracted, united
 
         under = site.surfaces[element.surface]
         whole = site.solids.get(under.solid)
@@ -76,7 +76,13 @@ class Boolean(Operation):
             self._remark(context, f"{element.name} stands on {under.name}, which is of no closed solid", hint)
             return None
         deep = let_in(solid, site, element)
-        made = united(whole, [deep]) if self.action == "union" else subtracted(whole, [deep])
+        if self.action == "union":
+            reaching, made, hint = deep, united(whole, [deep]), "place it where the surface is"
+        else:  # what stands outside would, let in, still leave a dent
+            reaching, made, hint = solid, subtracted(whole, [deep]), "extrude it inwards: by less than 0"
+        if not meet(whole, reaching):
+            self._remark(context, f"{element.name} has nothing in common with {whole.name}", hint)
+            return None
         return _settled(site, made, [solid.name], context, self)
 
     def _with_intersecting(self, element: Element, solid: Solid, site: Site, context: Context) -> Site | None:

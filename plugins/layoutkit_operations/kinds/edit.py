@@ -126,9 +126,13 @@ def _unmoved(root: Region) -> Iterator[tuple[PlacedRegion, PlacedRegion]]:
 def _through(box: Box, before: Mapping[str, tuple[Box, Box]]) -> Box:
     """Return the part of the design that a part of the facade before the edit shows."""
     x, y = (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2
-    own, shown = next(
-        (own, shown) for own, shown in before.values() if own.x0 <= x <= own.x1 and own.y0 <= y <= own.y1
-    )
+
+    def outside(known: tuple[Box, Box]) -> float:
+        """By rounding, a middle may be in no terminal: the nearest one counts."""
+        own, _ = known
+        return max(own.x0 - x, x - own.x1, own.y0 - y, y - own.y1)
+
+    own, shown = min(before.values(), key=outside)
     across, up = shown.width / own.width, shown.height / own.height
     return Box(
         shown.x0 + (box.x0 - own.x0) * across,

@@ -90,15 +90,15 @@ class Shape(Operation):
             box = self._box(element, site)
             points = self._outline(element, box)
             if points is None:
-                message = f"nothing in one piece is left of {name} within {self.inset:g}: it keeps its shape"
-                context.report(self._remark(message, "choose a smaller inset"))
+                message = f"{name} would not be one outline without holes any more: it keeps its shape"
+                context.report(self._remark(message, f"choose an inset nearer to 0 than {self.inset:g}"))
                 points = element.points
             site = site.with_elements(replace(element, points=points, angle=box.angle, edges=(), corners=()))
             made.append(name)
         return Result(site, tuple(made))
 
     def _outline(self, element: Element, box: Placement) -> tuple[Point, ...] | None:
-        """Return the new outline, counter-clockwise; None where an inset leaves none, or several."""
+        """Return the new outline, counter-clockwise; None where an inset leaves none, several or holes."""
         points = element.points
         if self.boxed:
             points = box.points if self.sides is None else polygon_in(box, self.sides)
@@ -174,12 +174,12 @@ def polygon_in(box: Placement, sides: int) -> tuple[Point, ...]:
 
 
 def moved_in(points: tuple[Point, ...], inset: float) -> tuple[Point, ...] | None:
-    """Return an outline whose edges are moved inwards; None if nothing is left of it in one piece."""
+    """Return an outline whose edges are moved inwards; None if what is left is not one without holes."""
     import shapely
     from shapely.geometry.polygon import orient
 
     moved = shapely.Polygon(points).buffer(-inset, join_style="mitre", mitre_limit=10.0)
-    if moved.is_empty or not isinstance(moved, shapely.Polygon):
+    if moved.is_empty or not isinstance(moved, shapely.Polygon) or moved.interiors:
         return None
     ring = shapely.remove_repeated_points(orient(moved).exterior, 1e-9 * abs(inset))
     return tuple((float(x), float(y)) for x, y in ring.coords[:-1])

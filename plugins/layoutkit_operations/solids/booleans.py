@@ -12,7 +12,7 @@ from layoutkit.operations import Solid
 if TYPE_CHECKING:
     from manifold3d import Manifold
 
-#: Details below this share of a solid's size are taken for rounding.
+#: What solids have in common below this share of the smaller one is taken for rounding.
 _ROUNDING = 1e-9
 #: A volume that changes by more than this share of it has not been read in as it was.
 _LOST = 1e-6
@@ -38,9 +38,8 @@ def meet(one: Solid, other: Solid) -> bool:
     high = np.minimum(one.points.max(axis=0), other.points.max(axis=0))
     if (low >= high).any():
         return False
-    size = float(np.ptp(one.points, axis=0).max())
     shared: float = (_manifold(one, 0) ^ _manifold(other, 1)).volume()
-    return shared > _ROUNDING * size**3
+    return shared > _ROUNDING * min(volume(one), volume(other))
 
 
 def volume(solid: Solid) -> float:

@@ -151,10 +151,11 @@ def test_a_plugin_that_takes_layoutkits_namespace_is_named(install: Callable[...
     assert "Still.namespace is layoutkit's own" in refused.message
 
 
+@pytest.mark.parametrize("work", ["raise KeyError('lost')", "return Result(site, ('Nothing',))", "return 7"])
 def test_an_operation_that_fails_at_its_work_is_named(
-    install: Callable[..., Path], layoutkit: Any, tmp_path: Path
+    work: str, install: Callable[..., Path], layoutkit: Any, tmp_path: Path
 ) -> None:
-    failing = SOURCE.replace("return Result(site, scope)", "raise KeyError('lost')")
+    failing = SOURCE.replace("return Result(site, scope)", work)
     install("benders", failing + HOOK.format("Bend"))
     file, scene = tmp_path / "o.xml", tmp_path / "s.xml"
     file.write_text(document("<acme:bend/>"))

@@ -76,10 +76,10 @@ def test_one_command_makes_a_model_and_pictures_from_two_sides(files, layoutkit)
 
 @pytest.mark.parametrize("options", [("--workers", "2"), ("--scheduler", "local", "--workers", "2")])
 def test_the_bytes_are_the_same_with_processes_and_dask(files, layoutkit, options):
-    assert layoutkit(*arguments(files, "one", "--tile", "3", "--no-views")).code == 0
-    assert layoutkit(*arguments(files, "two", "--tile", "3", "--no-views", *options)).code == 0
+    assert layoutkit(*arguments(files, "one", "--tile", "3", "--view", "75")).code == 0
+    assert layoutkit(*arguments(files, "two", "--tile", "3", "--view", "75", *options)).code == 0
     one = contents(files / "one")
-    assert len(one) == 5
+    assert len(one) == 9
     assert one == contents(files / "two")
 
 
@@ -118,13 +118,12 @@ def test_formats_sides_and_seeds_are_as_asked(files, layoutkit):
 
 @pytest.mark.parametrize("options", [("--workers", "2"), ("--scheduler", "local", "--workers", "2")])
 def test_a_worker_killed_in_the_middle_loses_and_repeats_nothing(files, layoutkit, options):
-    own = ("--tile", "1", "--seeds", "0-1", "--no-views")
+    own = ("--tile", "1", "--seeds", "0-1", "--view", "east")
     running = program(files, "killed", *own, *options)
     waited(lambda: (files / "killed" / JOURNAL).exists())
-    waited(lambda: (files / "killed" / JOURNAL).read_text().count("\n") > 3 or running.poll() is not None)
-    children = [int(pid) for pid in _children(running.pid)]
-    if children and running.poll() is None:
-        os.kill(children[-1], signal.SIGKILL)
+    waited(lambda: (files / "killed" / JOURNAL).read_text().count("\n") > 3)
+    os.kill(int(_children(running.pid)[-1]), signal.SIGKILL)
+    assert running.poll() is None, "it was killed in the middle"
     assert running.wait(120) == 0
     assert layoutkit(*arguments(files, "whole", *own)).code == 0
     assert contents(files / "killed") == contents(files / "whole")
@@ -146,11 +145,35 @@ def test_a_run_that_is_killed_goes_on_where_it_was(files, layoutkit):
     assert contents(files / "killed") == contents(files / "whole")
 
 
+def test_remarks_that_are_alike_are_counted(files, layoutkit):
+    low = (files / "operations.xml").read_text().replace('height="3.2"', 'height="2"')
+    (files / "operations.xml").write_text(low)
+    run = layoutkit(*arguments(files, "out", "--tile", "1", "--seeds", "0-2", "--no-views"))
+    assert run.code == 0
+    entries = json.loads((files / "out" / "manifest.json").read_text())["entries"]
+    every = [d["message"] for entry in entries for d in entry["diagnostics"] if d["code"] == "LK885"]
+    others = [message for message in every if message not in run.err]
+    assert len(set(every)) - len(set(others)) == 2
+    assert len(others) > 2
+    assert run.err.count("warning LK885") == 3
+    assert f"and {len(others)} more of this kind, which the manifest lists" in run.err
+
+
 def test_what_cannot_be_replayed_is_told(files, layoutkit, tmp_path):
     run = layoutkit("replay", files / "nine.xml", files / "nine.xml", "-o", files / "out")
     assert (run.code, "LK101" in run.err) == (1, True)
     run = layoutkit(*arguments(files, "out", "--view", "nowhere"))
     assert (run.code, "LK701" in run.err) == (2, True)
+    assert "degrees" in run.err
+    run = layoutkit(*arguments(files, "out", "--view", "south", "--no-views"))
+    assert (run.code, "LK701" in run.err) == (2, True)
+    picture = '<picture file="wall.png" left="0" top="0" right="9" bottom="9"/>'
+    (files / "wall.xml").write_text(FACADE.replace("<region", f"{picture}<region", 1))
+    (files / "wall.png").write_bytes(b"no picture")
+    run = layoutkit(*arguments(files, "out", "--workers", "2"))
+    assert (run.code, run.err.count("LK010"), "wall.png" in run.err) == (1, 1, True)
+    (files / "wall.xml").write_text(FACADE)
+    assert not (files / "out").exists()
     (tmp_path / "pixels.xml").write_text((files / "nine.xml").read_text().replace('units="m"', 'units="px"'))
     run = layoutkit("replay", files / "operations.xml", tmp_path / "pixels.xml", "-o", files / "px")
     assert (run.code, "LK881" in run.err) == (1, True)

@@ -1,6 +1,8 @@
 """Replays: scopes follow the tree, chance hangs on seed and site alone, branches share out what there is."""
 
 from collections import Counter
+from dataclasses import dataclass
+from typing import ClassVar
 
 import pytest
 from built import box, scene
@@ -9,7 +11,7 @@ from hypothesis import strategies as st
 
 from layoutkit.diagnostics import Faulty, Severity
 from layoutkit.model import Polygon, Scene
-from layoutkit.operations import Branch, Context, Node, Operations, Site
+from layoutkit.operations import Branch, Context, Node, Operation, Operations, Result, Site
 from layoutkit.operations.sites import sites_of
 from layoutkit_operations.kinds import Array, Delete, Extrude, Select
 from layoutkit_operations.replaying import Replay, dealt_out
@@ -50,6 +52,12 @@ def test_a_branch_gets_single_elements_as_often_as_it_weighs():
         for seed in range(2000)
     )
     assert counts[1] / 2000 == pytest.approx(0.75, abs=0.04)
+
+
+def test_weights_may_be_as_large_as_numbers_are():
+    branches = [Branch((), 1e308), Branch((), 1e308), Branch((), 1e-300)]
+    parts = list(dealt_out(tuple("ABCD"), branches, Context(None, (0,))))
+    assert [len(part) for part in parts] == [2, 2, 0]
 
 
 def test_each_branch_does_its_own_and_later_roots_see_what_is_there(stages):
@@ -122,13 +130,26 @@ def test_outputs_and_parts_are_known_by_node(stages):
 
 
 def test_a_site_that_fails_is_told_and_takes_no_other_with_it(stages):
-    thin = Polygon("Thin", ((200, 0), (210, 0), (210, 1e-7), (200, 1e-7)), ("Plot",))
-    every = Scene("built", "m", (*scene(*PLOTS).polygons, thin))
-    outcome = next(iter(stages("replay", every, operations=tree(RANDOM, sites=("Plot",)), seed=3)))
+    operations = tree(Node(FailsOnD(), RANDOM.children), sites=("Plot",))
+    outcome = next(iter(stages("replay", scene(*PLOTS), operations=operations, seed=3)))
     alone = replayed(stages, tree(RANDOM, sites=("Plot",)), scene(*PLOTS), 3)
-    assert heights(alone).items() <= heights(outcome.document).items()
-    if "Thin" not in heights(outcome.document):
-        assert any(d.severity is Severity.ERROR for d in outcome.diagnostics)
+    built = heights(outcome.document)
+    assert built == {name: height for name, height in heights(alone).items() if name != "D"}
+    (told,) = outcome.diagnostics
+    assert (told.severity, told.code) == (Severity.ERROR, "LK901")
+
+
+@dataclass(frozen=True, kw_only=True)
+class FailsOnD(Operation):
+    """It cannot be done on one of the sites."""
+
+    kind: ClassVar[str] = "fails-on-d"
+    summary: ClassVar[str] = "Fails."
+
+    def apply(self, scope, site, context):
+        if "D" in scope:
+            raise KeyError("D")
+        return Result(site, scope)
 
 
 def test_sites_in_sites_are_built_once(stages):

@@ -96,6 +96,31 @@ def test_a_roof_can_be_united_with_a_chimney():
 
 
 @pytest.mark.parametrize(
+    ("action", "outline", "height"),
+    [
+        ("difference", box(2, 2, 2, 2), 1),
+        ("union", box(20, 2, 2, 2), 1),
+        ("difference", box(20, 2, 2, 2), -1),
+    ],
+    ids=["outside", "in the air", "beside"],
+)
+def test_what_has_nothing_in_common_changes_nothing_and_is_told(action, outline, height):
+    own, found = added(house(), "A.Top_1", outline, height), context()
+    after, output = Boolean(action=action).apply(("A.X_1",), own, found)
+    assert (after, output) == (own, ())
+    assert ["nothing in common" in d.message for d in found.told] == [True]
+
+
+@given(st.floats(0.001, 0.1), st.floats(0.01, 8))
+@settings(max_examples=30)
+def test_what_is_thin_is_united_as_well(wide, high):
+    own = added(house(), "A.Top_1", box(2, 2, wide, wide), high)
+    after, output = Boolean(action="union").apply(("A.X_1",), own, context())
+    assert output == ("A.X_1",)
+    assert measured(after) == pytest.approx(480 + wide * wide * high, abs=1e-3 * wide * wide * high + 1e-9)
+
+
+@pytest.mark.parametrize(
     ("make", "told"),
     [
         (lambda: (on(house(), "A.Side_1", "A.X_1", box(1, 1, 2, 2)), "A.X_1"), "is no solid"),
