@@ -101,7 +101,7 @@ def check_best_effort(name: str, facade: Facade, explanation: Explanation) -> No
 def test_impossible_tiny_models(chunk: int) -> None:
     tally: Counter[str] = Counter()
     with single_threaded():
-        for case in impossible(2_000 * chunk, 6):
+        for case in impossible(2_000 * chunk, 4):
             judge(case, tally)
     assert tally["minimal"] >= 0.5 * tally["conflicts"], tally
     assert tally["judged by brute force"] >= 1, tally

@@ -113,7 +113,8 @@ def results(layoutkit: Any, folder: Path, text: str) -> dict[str, Any]:
     folder.mkdir()
     document = folder / "facade.xml"
     document.write_text(text)
-    varied = layoutkit("vary", document, "-n", "2", "--width", "115%", "--seed", "3", "-o", folder / "out")
+    small = ("--scale", "0.05", "-o")
+    varied = layoutkit("vary", document, "-n", 2, "--width", "115%", "--seed", 3, *small, folder / "out")
     narrow = folder / "narrow.xml"
     narrow.write_text(text.replace("</constraints>", f"  {NARROW}\n  </constraints>"))
     refused = layoutkit("vary", narrow, "-n", "1", "-o", folder / "none")
