@@ -16,7 +16,8 @@ from hypothesis import settings
 from layoutkit.cli.app import main
 
 # Times vary on shared machines: a test fails by what it finds, not by how long it took.
-settings.register_profile("layoutkit", deadline=None)
+settings.register_profile("layoutkit", deadline=None, max_examples=50)
+settings.register_profile("thorough", deadline=None, max_examples=500)
 settings.load_profile("layoutkit")
 
 Install = Callable[..., Path]

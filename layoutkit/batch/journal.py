@@ -52,7 +52,12 @@ class Journal:
         except OSError as error:
             raise Faulty([_unwritable(path, error)]) from error
         stream = os.fdopen(descriptor, "r+b")
-        if not locked(stream):
+        try:
+            free = locked(stream)
+        except OSError as error:  # of a file system without locks
+            stream.close()
+            raise Faulty([_unwritable(path, error)]) from error
+        if not free:
             stream.close()
             message, hint = "another run is writing into this folder", "wait for it, or name another folder"
             raise Faulty([Diagnostic("LK891", message, Place(str(folder)), hint, topic="batch")])

@@ -24,13 +24,12 @@ from layoutkit.batch.interrupts import without_interrupts
 from layoutkit.batch.runners import Held
 from layoutkit.batch.task import Finished, Shared, Source, Task, failed, perform
 from layoutkit.diagnostics import Diagnostic, Faulty, blame
+from layoutkit.sizing.threads import begin_single_threaded
 
 #: A task of which so many workers died is not tried again.
 MOST_DEATHS = 3
 #: How many shared inputs a worker holds.
 _HELD = 2
-#: So that a worker is one thread, whatever library does its linear algebra.
-_ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 #: What a worker says first.
 _READY = b""
 
@@ -220,7 +219,7 @@ class _Worker:
 def _serve(connection: Connection) -> None:
     """Do tasks until the connection ends: that is what a worker process runs."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    os.environ.update(dict.fromkeys(_ONE_THREAD, "1"))
+    begin_single_threaded()
     os.dup2(sys.__stderr__.fileno() if sys.__stderr__ else 2, 1)  # stdout is for results of the command
     held: dict[str, Shared] = {}
     with contextlib.suppress(EOFError, OSError):

@@ -38,6 +38,7 @@ from layoutkit.cli.declared import command_class
 from layoutkit.cli.exits import Exit, exit_of
 from layoutkit.cli.session import Session
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity, blame
+from layoutkit.sizing.threads import begin_single_threaded
 
 #: Every command and its examples, in the order in which a newcomer meets them.
 COMMANDS: tuple[tuple[Callable[..., int], str], ...] = (
@@ -151,6 +152,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     arguments
         Without the program's name; by default those of the process.
     """
+    begin_single_threaded()
     given = list(sys.argv[1:] if arguments is None else arguments)
     session = Session()
     try:

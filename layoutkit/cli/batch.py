@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -80,6 +81,8 @@ SizeList = Annotated[
         help="Numbers in the documents' units, or percentages of the inputs' sizes, such as 10,12,120%.",
     ),
 ]
+#: Bytes of a file's name that are no text, as Python has them.
+_UNREADABLE = re.compile("[\udc80-\udcff]")
 _AS_IS = Sizes((Measure(1.0, relative=True),))
 
 
@@ -148,7 +151,7 @@ def names_of(files: Sequence[Path]) -> Iterator[str]:
     taken: set[str] = set()
     for file in files:
         stem = file.resolve().parent.name if file.name == FACADE_FILE else file.stem
-        stem = stem or file.stem
+        stem = _UNREADABLE.sub("_", stem or file.stem)
         number, name = 1, stem
         while name.casefold() in taken:
             number += 1

@@ -58,7 +58,7 @@ class _Row:
         """Return a size of which no more than so many have room, as a hint; empty if these have."""
         if self.count(room) <= most:
             return ""
-        return f"--{self.size_name} {1.01 * ((room + self.gap) / most - self.gap):.3g}"
+        return f"{self.size_name} {1.01 * ((room + self.gap) / most - self.gap):.3g}"
 
 
 def check(spacing: Spacing) -> None:
@@ -70,7 +70,7 @@ def check(spacing: Spacing) -> None:
             raise Faulty([_fault(f"{row.gap_name} is {row.gap:g}", "a gap is 0 or more")])
         if row.gap and row.size is None:
             message = f"{row.gap_name} is of no use without {row.size_name}: nothing is filled"
-            raise Faulty([_fault(message, f"add --{row.size_name}, or leave --{row.gap_name} away")])
+            raise Faulty([_fault(message, f"add {row.size_name}, or leave {row.gap_name} away")])
 
 
 def fill(placements: Sequence[Placement], spacing: Spacing) -> tuple[Placement, ...]:

@@ -20,7 +20,7 @@ from layoutkit_relayout.auditing.stage import Audit, AuditOptions
 #: Combinations of words and replicas that brute force takes on.
 MOST = 120
 #: Models are judged in chunks, so that several workers can share them.
-CHUNKS, MODELS = 2, 40
+CHUNKS, MODELS = 2, 30
 
 
 def placed(facade: Facade) -> Facade:

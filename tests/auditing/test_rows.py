@@ -37,7 +37,7 @@ def possible(rows: list[Range], widened: int | None = None, by: float = 0.0) -> 
     return bool(found.status == 0)
 
 
-@settings(max_examples=150)
+@settings(max_examples=80)
 @given(st.lists(ranges(), min_size=1, max_size=6))
 def test_a_contradiction_is_one(rows: list[Range]) -> None:
     if found := contradiction(rows, SIZE):

@@ -85,7 +85,9 @@ def test_the_bytes_are_the_same_whoever_makes_them(
     same(tmp_path / "one", tmp_path / "many")
 
 
-@pytest.mark.parametrize("way", [[], ["--workers", "2"]], ids=["one", "processes"])
+@pytest.mark.parametrize(
+    "way", [pytest.param([], id="one", marks=pytest.mark.nightly), pytest.param(["--workers", "2"], id="two")]
+)
 def test_a_run_that_is_killed_goes_on(way: list[str], plain: Path, tmp_path: Path, same: Same) -> None:
     def command(folder: str) -> list[str]:
         options = ["--seeds", "0-11", "-n", "1", "-o", str(tmp_path / folder)]

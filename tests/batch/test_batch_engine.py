@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
@@ -201,6 +202,18 @@ def test_two_runs_do_not_write_into_one_folder(squares: Squares, tmp_path: Path)
     assert code_of(faulty) == "LK891"
     journal.close()
     assert carry_out(squares(1), tmp_path, InProcess()).done == 1
+
+
+def test_a_folder_without_locks_is_told(
+    squares: Squares, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refused(stream: Any) -> bool:
+        raise OSError(errno.ENOLCK, "No locks available")
+
+    monkeypatch.setattr("layoutkit.batch.journal.locked", refused)
+    with pytest.raises(Faulty, match="No locks available") as faulty:
+        carry_out(squares(1), tmp_path, InProcess())
+    assert code_of(faulty) == "LK008"
 
 
 def test_a_folder_that_cannot_be_made_is_told(squares: Squares, tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import os
 import sys
 import time
 from pathlib import Path
@@ -68,6 +69,11 @@ def test_no_two_facades_have_a_name(stems: list[str]) -> None:
     names = list(names_of([Path("/drawn", f"{number}", f"{stem}.xml") for number, stem in enumerate(stems)]))
     assert len({name.casefold() for name in names}) == len(stems)
     assert all("/" not in name and name for name in names)
+
+
+def test_names_that_are_no_text_give_folders_that_are() -> None:
+    files = [Path(os.fsdecode(name)) for name in (b"a\xff.xml", b"a\xfe.xml", b"a_.xml")]
+    assert list(names_of(files)) == ["a_", "a_-2", "a_-3"]
 
 
 def test_facades_of_samples_have_the_names_of_their_folders() -> None:

@@ -102,8 +102,8 @@ def test_what_has_the_label_is_taken_out_first(
         (["--limit", "0"], "--limit"),
         (["--threshold", "-1"], "--threshold"),
         (["--each-width", "0"], "each-width is 0"),
-        (["--gap-across", "3"], "add --each-width, or leave --gap-across away"),
-        (["--each-width", "1e-9"], "fewer would fill them with --each-width"),
+        (["--gap-across", "3"], "add each-width, or leave gap-across away"),
+        (["--each-width", "1e-9"], "fewer would fill them with each-width"),
     ],
 )
 def test_what_makes_no_sense_is_refused(

@@ -21,7 +21,7 @@ from layoutkit_relayout.search.search import Search
 
 #: Combinations of words that brute force takes on, and the least sizes that leave so few.
 MOST, COARSE = 200, 0.6
-CHUNKS = 4
+CHUNKS = 3
 
 Case = tuple[str, Facade, tuple[float, float]]
 
@@ -101,7 +101,7 @@ def check_best_effort(name: str, facade: Facade, explanation: Explanation) -> No
 def test_impossible_tiny_models(chunk: int) -> None:
     tally: Counter[str] = Counter()
     with single_threaded():
-        for case in impossible(2_000 * chunk, 4):
+        for case in impossible(3_000 * chunk, 4):
             judge(case, tally)
     assert tally["minimal"] >= 0.5 * tally["conflicts"], tally
     assert tally["judged by brute force"] >= 1, tally

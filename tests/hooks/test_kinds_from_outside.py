@@ -144,21 +144,27 @@ def expected(built_in: dict[str, Any], layoutkit: Any) -> dict[str, Any]:
     return built_in["results"]
 
 
-@pytest.mark.parametrize("kind", BUILT_IN, ids=lambda kind: kind.kind)
-def test_a_kind_taken_out_is_unknown_and_put_back_from_outside_does_all_it_did(
-    kind: type[Constraint],
-    install: Any,
-    layoutkit: Any,
-    expected: dict[str, Any],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+@pytest.fixture(params=BUILT_IN, ids=lambda kind: kind.kind)
+def taken_out(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> type[Constraint]:
+    """Return a built-in kind that layoutkit does without."""
+    kind: type[Constraint] = request.param
     monkeypatch.setattr(layoutkit_constraints(), "BUILT_IN", tuple(k for k in BUILT_IN if k is not kind))
+    return kind
+
+
+def test_a_kind_taken_out_is_unknown(taken_out: type[Constraint], layoutkit: Any, tmp_path: Path) -> None:
     document = tmp_path / "facade.xml"
     document.write_text(FACADE)
     without = layoutkit("validate", document)
     assert without.code == 1
-    assert f"there is no constraint kind {kind.kind!r}" in without.err
+    assert f"there is no constraint kind {taken_out.kind!r}" in without.err
+
+
+@pytest.mark.nightly  # the other way, below, asks for more
+def test_a_kind_put_back_from_outside_does_all_it_did(
+    taken_out: type[Constraint], install: Any, layoutkit: Any, expected: dict[str, Any], tmp_path: Path
+) -> None:
+    kind = taken_out
     install(
         "their_registration",
         f"""

@@ -25,7 +25,7 @@ def test_there_is_one_example_a_way_to_state_a_constraint() -> None:
 
 
 #: The tests of these take long: conformance asks a solver for each row.
-SLOW = {"even_spacings"}
+SLOW = {"even_spacings", "shop_doors"}
 
 
 @pytest.mark.parametrize(

@@ -52,14 +52,12 @@ class Array(Operation):
                 box = box_about(polygon, self.label)
                 box = replace(box, width=box.width - 2 * self.margin, height=box.height - 2 * self.margin)
                 if box.width <= 0 or box.height <= 0:
-                    context.report(self._remark(f"{name} has no room within a margin of {self.margin:g}"))
+                    context.report(self._remark(name, f"there is no room within a margin of {self.margin:g}"))
                     continue
                 try:
                     shapes = fill([box], self._spacing)
                 except Faulty as faulty:
-                    context.report(
-                        *(self._remark(f"{name}: {d.message}", d.hint) for d in faulty.diagnostics)
-                    )
+                    context.report(*(self._remark(name, d.message, d.hint) for d in faulty.diagnostics))
                     continue
                 names = site.free_names(name, self.label)
                 made += (
@@ -72,14 +70,14 @@ class Array(Operation):
         """Yield the surface and the polygon that a name stands for: an element's, or a surface's own."""
         element = site.elements.get(name)
         if element is not None and element.solid:
-            context.report(self._remark(f"{name} is a solid", "select its surfaces, or flat elements"))
+            context.report(self._remark(name, "it is a solid", "select its surfaces, or flat elements"))
         elif element is not None:
             yield element.surface, element.polygon
         elif name in site.surfaces and site.surfaces[name].outlines:
             yield name, site.scene(name).polygons[0]
 
-    def _remark(self, message: str, hint: str = "choose a smaller margin") -> Diagnostic:
-        message += ", and is not filled"
+    def _remark(self, name: str, why: str, hint: str = "choose a smaller margin") -> Diagnostic:
+        message = f"{name} is not filled: {why}"
         return Diagnostic("LK883", message, self.place, hint, Severity.WARNING, "operations")
 
     @property

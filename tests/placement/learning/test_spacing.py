@@ -54,7 +54,7 @@ def test_there_are_never_too_many_and_the_hint_would_do(
     try:
         assert len(fill([SHELF] * count, spacing)) <= MOST
     except Faulty as faulty:
-        sizes = {name: float(size) for name, size in re.findall(r"--each-(\w+) (\S+)", told(faulty))}
+        sizes = {name: float(size) for name, size in re.findall(r"each-(\w+) (\S+)", told(faulty))}
         assert sizes
         width, height = sizes.get("width", width), sizes.get("height", height)
         mended = Spacing(width, height, spacing.gap_across, spacing.gap_up)
@@ -64,7 +64,7 @@ def test_there_are_never_too_many_and_the_hint_would_do(
 def test_infinitely_many_are_refused() -> None:
     with pytest.raises(Faulty) as raised:
         fill([SHELF], Spacing(each_width=5e-324))
-    assert "--each-width 0.000303" in told(raised.value)
+    assert "with each-width 0.000303" in told(raised.value)
 
 
 def test_a_size_larger_than_all_is_told() -> None:
