@@ -128,33 +128,36 @@ def _loading(run: Timed) -> float:
 
 
 def _validated(plots: int, found: Measured, runs: dict[int, Timed], start: float) -> Iterator[str]:
-    """Yield runs of this machine beside what the simulation says of them."""
+    """Yield runs of this machine beside what the simulation says of them.
+
+    What a task takes of a processor hangs on what else the machine does: each run is simulated with its own.
+    """
     tile = TILES[0]
     scene = city(plots, np.random.default_rng(0))
     yield "the simulation beside runs of this machine:"
-    yield _beside(f"one process, tiles of {tile}", runs[tile], _here(plots, tile, 1, found, start))
-    yield _beside(
-        f"one process, tiles of {TILES[1]}", runs[TILES[1]], _here(plots, TILES[1], 1, found, start)
-    )
+    for most, run in runs.items():
+        yield _beside(f"one process, tiles of {most}", run, _here(plots, most, run, 1, found, start))
     runners: tuple[tuple[str, Runner, float], ...] = (
         (f"two processes, tiles of {tile}", Processes(2), start),
         (f"Dask, two workers, tiles of {tile}", Cluster(LOCAL, 2), _start_of_dask()),
     )
     for what, runner, own in runners:
-        yield _beside(what, carried_out(replays(scene, tile), runner), _here(plots, tile, 2, found, own))
+        run = carried_out(replays(scene, tile), runner)
+        yield _beside(what, run, _here(plots, tile, run, 2, found, own))
 
 
 def _start_of_dask() -> float:
     return carried_out(idle(1, 0), Cluster(LOCAL, 2)).seconds
 
 
-def _here(plots: int, tile: int, cores: int, found: Measured, start: float) -> Course:
+def _here(plots: int, tile: int, run: Timed, cores: int, found: Measured, start: float) -> Course:
     machine = Machines((1.0,), cores, (found.loading, start))
-    return simulated(found.tasks(plots, tile, np.random.default_rng(0)), machine, found.costs)
+    own = replace(found, work={tile: run.usual})
+    return simulated(own.tasks(plots, tile, np.random.default_rng(0)), machine, found.costs)
 
 
 def _beside(what: str, run: Timed, course: Course) -> str:
-    """Say how far the simulation is off; cores that get in each other's way need more for the same plots."""
+    """Say how far the simulation is off, and what the run's tasks took."""
     off = course.seconds / run.seconds - 1
     each = 1000 * sum(done.seconds for done in run.usual) / sum(done.plots for done in run.usual)
     return (
