@@ -202,5 +202,6 @@ def _manifest(plan: Plan, copies: list[Written], journal: Journal) -> Iterator[b
     yield json.dumps(head, indent=1).removesuffix("\n}").encode() + b',\n "entries": ['
     for number, task in enumerate(plan.tasks):
         entry = json.dumps(journal.record(task.key).as_data(), ensure_ascii=False)
-        yield (b",\n  " if number else b"\n  ") + entry.encode()
+        # A file's name may have what is no text: escaped as JSON escapes it.
+        yield (b",\n  " if number else b"\n  ") + entry.encode(errors="backslashreplace")
     yield b"\n ]\n}\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -42,8 +43,11 @@ class Plan:
     @cached_property
     def fingerprint(self) -> str:
         """The same for all runs that give the same bytes: the digest of all that goes into results."""
-        tasks = [[task.key, task.source.digest, task.arguments] for task in self.tasks]
         installed = {"layoutkit": __version__, **libraries()}
-        return digest_of(
-            {"command": self.command, "installed": installed, "options": self.options, "tasks": tasks}
+        whole = hashlib.sha256(
+            digest_of({"command": self.command, "installed": installed, "options": self.options}).encode()
         )
+        for task in self.tasks:  # one by one: their arguments may be large, and shared
+            own = {"key": task.key, "source": task.source.digest, "arguments": task.arguments}
+            whole.update(digest_of(own).encode())
+        return whole.hexdigest()

@@ -9,7 +9,17 @@ from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.diagnostics.origin import BUILT_IN, Origin, installed
 
 #: Libraries whose releases may differ in the last digit, or in a picture's bytes.
-_LIBRARIES = ("numpy", "scipy", "daqp", "clarabel", "pillow", "shapely", "manifold3d", "trimesh")
+_LIBRARIES = (
+    "numpy",
+    "scipy",
+    "daqp",
+    "clarabel",
+    "pillow",
+    "shapely",
+    "manifold3d",
+    "trimesh",
+    "mapbox-earcut",
+)
 
 
 def survey() -> Mapping[str, str]:

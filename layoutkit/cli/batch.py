@@ -152,6 +152,7 @@ def names_of(files: Sequence[Path]) -> Iterator[str]:
     for file in files:
         stem = file.resolve().parent.name if file.name == FACADE_FILE else file.stem
         stem = _UNREADABLE.sub("_", stem or file.stem)
+        stem = stem if stem.strip(".") else "_"  # else it would be a way to another folder
         number, name = 1, stem
         while name.casefold() in taken:
             number += 1

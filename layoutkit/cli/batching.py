@@ -6,7 +6,7 @@ import os
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -32,6 +32,8 @@ MOST_SEEDS = 1_000_000
 
 #: What remarks have in common that differ only in what they name.
 _Kind = tuple[str, Severity, Place | None]
+#: What counts only if all tasks say so: one tile may have nothing to choose where another has.
+_UNANIMOUS = frozenset({"LK888"})
 #: Remarks of kinds that are not told.
 _OTHERS: _Kind = ("", Severity.NOTE, None)
 
@@ -160,6 +162,7 @@ def carried_out(
     afresh: bool = False,
     as_json: bool = False,
     what: str = "tasks",
+    files: Mapping[str, str] | None = None,
 ) -> int:
     """Do what a plan says, show how far it is, and tell how it ended; return the exit code.
 
@@ -167,6 +170,8 @@ def carried_out(
     ----------
     what
         What users call the tasks, in the plural.
+    files
+        What the user calls files that tasks know by other names.
 
     Raises
     ------
@@ -177,7 +182,7 @@ def carried_out(
     """
     from layoutkit.batch import Watching, carry_out
 
-    outcome, shown, start = _Outcome(), meter(what), time.monotonic()
+    outcome, shown, start = _Outcome(files or {}), meter(what), time.monotonic()
 
     def finish(finished: Finished) -> None:
         shown.advance(finished.status == "failed")
@@ -204,18 +209,27 @@ class _Outcome:
 
     Attributes
     ----------
+    files
+        What the user calls files that tasks know by other names.
     remarks
         Of tasks that were done, the first different ones of each kind.
     more
         How many others there were of each kind.
+    done
+        How many tasks were done.
+    unanimous
+        Remarks that count if all tasks have them, and how many have.
     failures
         The tasks that failed with the same diagnostics, of the first different ones.
     failed
         Of all that failed: the task, how its search ended if it did, and codes.
     """
 
+    files: Mapping[str, str] = field(default_factory=dict)
     remarks: dict[_Kind, list[Diagnostic]] = field(default_factory=dict)
     more: Counter[_Kind] = field(default_factory=Counter)
+    done: int = 0
+    unanimous: dict[_Kind, tuple[Diagnostic, int]] = field(default_factory=dict)
     failures: dict[tuple[Diagnostic, ...], list[str]] = field(default_factory=dict)
     failed: list[dict[str, Any]] = field(default_factory=list)
     _exits: set[Exit] = field(default_factory=set)
@@ -223,6 +237,7 @@ class _Outcome:
     def add(self, finished: Finished) -> None:
         """Take note of a task."""
         if finished.status == "done":
+            self.done += 1
             for remark in finished.diagnostics:
                 self._add_remark(remark)
             return
@@ -237,11 +252,15 @@ class _Outcome:
     def _add_remark(self, remark: Diagnostic) -> None:
         """Take note of a remark: on one task, or on many that are alike already."""
         kind = remark.code, remark.severity, remark.place
+        if remark.code in _UNANIMOUS:
+            first, count = self.unanimous.get(kind, (remark, 0))
+            self.unanimous[kind] = first, count + 1
+            return
         if kind not in self.remarks and len(self.remarks) == SHOWN:
             self.more[_OTHERS] += remark.count
             return
         known = self.remarks.setdefault(kind, [])
-        if remark.count > 1 or (remark not in known and len(known) == _OF_A_KIND):
+        if known and (remark.count > 1 or (remark not in known and len(known) == _OF_A_KIND)):
             self.more[kind] += remark.count
         elif remark not in known:
             known.append(remark)
@@ -262,18 +281,28 @@ class _Outcome:
     def tell(self, session: Session) -> None:
         """Tell what was remarked, which tasks failed, and why; those that failed alike together."""
         for kind, known in self.remarks.items():
-            session.report(known)
+            self._report(session, known)
             if more := self.more[kind]:
                 message = f"and {more:,} more of this kind, which the manifest lists"
-                session.report([replace(known[0], message=message, count=more)])
+                self._report(session, [replace(known[0], message=message, count=more)])
+        self._report(session, [first for first, count in self.unanimous.values() if count == self.done])
         if more := self.more[_OTHERS]:
             print(f"and {more:,} more remarks of other kinds; the manifest has all", file=sys.stderr)
         for diagnostics, keys in self.failures.items():
             print(f"failed: {_some(keys)}", file=sys.stderr)
-            session.report(diagnostics)
+            self._report(session, diagnostics)
         told = sum(map(len, self.failures.values()))
         if told < len(self.failed):
             print(f"and {len(self.failed) - told} more failed; the manifest has all", file=sys.stderr)
+
+    def _report(self, session: Session, diagnostics: Iterable[Diagnostic]) -> None:
+        """Report diagnostics, their files named as the user does."""
+        session.report(
+            replace(d, place=replace(d.place, file=self.files.get(d.place.file, d.place.file)))
+            if d.place is not None
+            else d
+            for d in diagnostics
+        )
 
 
 def _exit(status: str, diagnostics: Iterable[Diagnostic]) -> Exit:

@@ -98,7 +98,7 @@ def replay(
             help="How steeply pictures are seen from above, in degrees: 90 is straight down.",
         ),
     ] = 33.0,
-    width: Annotated[int, typer.Option(min=64, max=10_000, help="Width of pictures, in pixels.")] = 1200,
+    width: Annotated[int, typer.Option(min=64, max=3000, help="Width of pictures, in pixels.")] = 1200,
     tile: Annotated[
         int, typer.Option(min=1, help="How many sites go into one model, and one piece of work, at most.")
     ] = 50,
@@ -135,7 +135,10 @@ def replay(
     plan = _plan(document, scenes, seeds, options, session)
     inputs = {operations_file, *files, *(operations_file.parent / own for own in document.files)}
     _refuse_own_inputs(plan.tasks, inputs, output)
-    return carried_out(session, plan, output, runner, afresh=afresh, as_json=as_json, what="models")
+    called = {name: str(operations_file.parent / name) for name in document.files}
+    return carried_out(
+        session, plan, output, runner, afresh=afresh, as_json=as_json, what="models", files=called
+    )
 
 
 def _read(session: Session, file: Path) -> OperationsDocument:

@@ -29,6 +29,11 @@ class Design:
     def __str__(self) -> str:
         return self.file
 
+    @property
+    def read(self) -> bool:
+        """Whether the file was read."""
+        return self.facade is not None
+
 
 @dataclass(frozen=True)
 class Steps:
@@ -48,6 +53,11 @@ class Steps:
     def __str__(self) -> str:
         return self.file
 
+    @property
+    def read(self) -> bool:
+        """Whether the file was read."""
+        return self.steps is not None
+
 
 @dataclass(frozen=True)
 class Asset:
@@ -66,6 +76,11 @@ class Asset:
 
     def __str__(self) -> str:
         return self.file
+
+    @property
+    def read(self) -> bool:
+        """Whether the file was read."""
+        return self.data is not None
 
 
 #: What is named by a file in documents, and read with them.

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.model import LearningSettings, Placement, PlacementModel, Scene, World
-from layoutkit.operations import Branch, Context, Design, Named, Node, Operation, Operations
+from layoutkit.operations import Asset, Branch, Context, Design, Named, Node, Operation, Operations, Steps
 from layoutkit.operations.operation import Scope
 from layoutkit_operations.kinds.place import Place
 from layoutkit_operations.kinds.select import Select
@@ -241,6 +241,44 @@ def design(file: str, folder: Path) -> Design:
     return Design(file, facade, picture)
 
 
+def steps(file: str, folder: Path) -> Steps:
+    """Return the edits of a session's document, as operations hold them.
+
+    Parameters
+    ----------
+    file, folder
+        As for `design`.
+
+    Raises
+    ------
+    Faulty
+        If it cannot be read, or is no session.
+    """
+    from layoutkit.documents.beside import DISK
+    from layoutkit.documents.sessions import read_session
+
+    read = read_session(folder / file, _runner().host.constraints, DISK)
+    return Steps(file, read.session.done)
+
+
+def asset(file: str, folder: Path) -> Asset:
+    """Return a mesh that others modelled, as operations hold it.
+
+    Parameters
+    ----------
+    file, folder
+        As for `design`.
+
+    Raises
+    ------
+    Faulty
+        If it cannot be read; whether it is a mesh is asked when it is used.
+    """
+    from layoutkit import documents
+
+    return Asset(file, documents.load(folder / file))
+
+
 @dataclass(eq=False)
 class _Draft:
     """A node that may still get children."""
@@ -283,6 +321,9 @@ def _misfits(operation: Operation) -> Iterator[Diagnostic]:
         if not fits:
             message = f"<{operation.kind}>: {attribute.name} is {value!r}, and no {attribute.type.name}"
             yield _nonsense(message, attribute.help)
+        elif isinstance(value, Named) and not value.read:
+            hint = "read it first: by design, steps or asset of layoutkit_operations.recording"
+            yield _nonsense(f"<{operation.kind}>: {attribute.name} names {value}, which was not read", hint)
 
 
 def _nonsense(message: str, hint: str) -> Diagnostic:

@@ -129,9 +129,13 @@ def replayed(
     """
     replays, sites = [], []
     given: set[str] = set()
-    for own in sites_of(scene, operations.sites, names):
+    every = sites_of(scene, operations.sites)
+    known = {own.name for own in every} if operations.sites else set()
+    for own in every:
+        if names is not None and own.name not in names:
+            continue
         # The polygons of sites inside this one are in the way, and nothing to work on: the others' own.
-        inner = {p.name for p in own.polygons[1:] if operations.sites and not p.labels}
+        inner = {p.name for p in own.polygons[1:] if p.name in known}
         replay = Replay(operations, context.within(number_of(scene.name, own.name)))
         try:
             site = replay.on(Site.of(own), inner)

@@ -53,7 +53,7 @@ class ReplayOperations(Stage):
         Raises
         ------
         Faulty
-            If there are no operations, or no way to run stages, or the units differ (LK881).
+            If there are no operations, or no way to run stages, or they do not fit the scene (LK881).
         """
         from layoutkit.operations import Context
         from layoutkit.sizing.threads import single_threaded
@@ -62,8 +62,8 @@ class ReplayOperations(Stage):
         operations, stages = options.operations, options.stages
         if operations is None or stages is None:
             raise Faulty([Diagnostic("LK881", "there is nothing to replay", topic="operations")])
-        check_units(operations, scene)
-        check_sites(operations, scene)
+        if faults := tuple(misfits(operations, scene)):
+            raise Faulty(faults)
         start = time.perf_counter()
         context = Context(stages, (options.seed,))
         with single_threaded():
@@ -73,23 +73,20 @@ class ReplayOperations(Stage):
         yield Outcome("found", world, told, time.perf_counter() - start)
 
 
-def check_units(operations: Operations, scene: Scene) -> None:
-    """Raise `Faulty` where operations and scene count in different units (LK881)."""
+def misfits(operations: Operations, scene: Scene) -> Iterator[Diagnostic]:
+    """Yield why they cannot (LK881): units differ, or the scene has none of the sites."""
     if operations.units != scene.units:
         named = f"the operations {operations.name} are in {operations.units}"
-        message = f"{named}, and the scene {scene.name} in {scene.units}"
-        hint = "write both in the same units"
-        raise Faulty([Diagnostic("LK881", message, hint=hint, topic="operations")])
-
-
-def check_sites(operations: Operations, scene: Scene) -> None:
-    """Raise `Faulty` where a scene has none of the sites that operations are made on (LK881)."""
+        yield _misfit(f"{named}, and the scene {scene.name} in {scene.units}", "write both in the same units")
     known = scene.labels
     if operations.sites and set(operations.sites).isdisjoint(known):
         wanted = " or ".join(f"@{label}" for label in operations.sites)
         message = f"the scene {scene.name} has no {wanted}, and {operations.name} builds on nothing else"
-        hint = did_you_mean(operations.sites[0], known) if known else "the scene is empty"
-        raise Faulty([Diagnostic("LK881", message, hint=hint, topic="operations")])
+        yield _misfit(message, did_you_mean(operations.sites[0], known) if known else "the scene is empty")
+
+
+def _misfit(message: str, hint: str) -> Diagnostic:
+    return Diagnostic("LK881", message, hint=hint, topic="operations")
 
 
 def unmatched(operations: Operations, made: Replayed) -> Iterator[Diagnostic]:
@@ -111,4 +108,4 @@ def unmatched(operations: Operations, made: Replayed) -> Iterator[Diagnostic]:
         if seen:
             message = f"nothing is labelled {' or '.join(own.labels)}, of what is to be chosen of"
             hint = did_you_mean(own.labels[0], seen)
-            yield Diagnostic("LK883", message, own.place, hint, Severity.WARNING, "operations")
+            yield Diagnostic("LK888", message, own.place, hint, Severity.WARNING, "operations")

@@ -14,10 +14,13 @@ import typer
 from hypothesis import given
 from hypothesis import strategies as st
 
+from layoutkit.batch import Finished
 from layoutkit.cli import meter as metering
 from layoutkit.cli.batch import Sizes, names_of
-from layoutkit.cli.batching import MOST_SEEDS, Seeds
+from layoutkit.cli.batching import MOST_SEEDS, Seeds, _Outcome
 from layoutkit.cli.meter import Bar, Lines, lasting, meter
+from layoutkit.cli.session import Session
+from layoutkit.diagnostics import Diagnostic, Severity
 from layoutkit.model import Measure
 
 NUMBERS = st.integers(0, 10**6)
@@ -74,6 +77,17 @@ def test_no_two_facades_have_a_name(stems: list[str]) -> None:
 def test_names_that_are_no_text_give_folders_that_are() -> None:
     files = [Path(os.fsdecode(name)) for name in (b"a\xff.xml", b"a\xfe.xml", b"a_.xml")]
     assert list(names_of(files)) == ["a_", "a_-2", "a_-3"]
+    assert list(names_of([Path("...xml"), Path("....xml")])) == ["_", "_-2"]
+
+
+def test_a_remark_that_stands_for_many_is_told_whichever_comes_first() -> None:
+    outcome, session = _Outcome(), Session()
+    for message, count in (("and 4 more", 4), ("one", 1), ("two", 1), ("and 3 more", 3)):
+        remark = Diagnostic("LK303", message, severity=Severity.WARNING, count=count)
+        outcome.add(Finished(message, "done", diagnostics=(remark,)))
+    outcome.tell(session)
+    told = ["and 4 more", "one", "and 4 more of this kind, which the manifest lists"]
+    assert [d.message for d in session.diagnostics] == told
 
 
 def test_facades_of_samples_have_the_names_of_their_folders() -> None:

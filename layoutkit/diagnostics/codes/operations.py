@@ -70,6 +70,14 @@ CODES = (
         "Do as the hint says.",
     ),
     Code(
+        "LK888",
+        "selection that chooses nothing",
+        "Nothing that a selection may choose of has one of its labels, on any site of the scene.",
+        "A label with a slip.",
+        "Choose among the labels that the hint names.",
+        severity=Severity.WARNING,
+    ),
+    Code(
         "LK889",
         "recording of what is not there",
         "A program that records operations names something that none of its scenes has at that step, or "

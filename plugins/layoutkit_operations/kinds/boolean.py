@@ -64,7 +64,7 @@ class Boolean(Operation):
                 continue
             if after is not None:
                 site, done[name] = after, None
-        return Result(site, tuple(done))
+        return Result(site, tuple(name for name in done if name in site.elements))
 
     def _with_surface(self, element: Element, solid: Solid, site: Site, context: Context) -> Site | None:
         from layoutkit_operations.solids.booleans import meet, subtracted, united

@@ -18,6 +18,8 @@ from layoutkit.operations.operation import Scope
 if TYPE_CHECKING:
     from layoutkit_operations.solids.prisms import Cap, Prism
 
+#: What is farther from its surface is a slip, and cannot be told exactly beside what is small.
+HIGHEST = 100_000.0
 _CAP = choice("cap", "flat", "gable", "hip", "none")
 #: What can be seen of a solid, by what its colour follows from where none is given.
 _ROOFS = ("Top", "Roof")
@@ -60,6 +62,10 @@ class Extrude(Operation):
         """Yield what makes no sense of height, factor and roof."""
         if self.height == 0:
             yield self._fault("height is 0", "give it a height above 0, or below: into the surface")
+        if max(abs(self.height), self.base) > HIGHEST:
+            yield self._fault(
+                f"it reaches farther than {HIGHEST:,.0f}", "give height and base in the scene's units"
+            )
         if self.random >= 1:
             yield self._fault(f"random is {self.random:g}", "choose less than 1, lest heights vanish")
         if self.cap in ("gable", "hip") and self.height < 0:

@@ -12,6 +12,7 @@ from layoutkit.documents.grammar import AMOUNT, SIZE
 from layoutkit.operations import Asset, Context, Element, Operation, Result, Site, Solid, Surface
 from layoutkit.operations.attributes import ASSET
 from layoutkit.operations.operation import Scope
+from layoutkit_operations.kinds.extrude import HIGHEST
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,6 +37,10 @@ class Mesh(Operation):
         """Yield why the mesh cannot be used."""
         from layoutkit_operations.solids.meshes import loaded
 
+        if max(self.height or 0.0, self.base) > HIGHEST:
+            message = f"<mesh>: it reaches farther than {HIGHEST:,.0f}"
+            hint = "give height and base in the scene's units"
+            yield Diagnostic("LK882", message, self.place, hint, topic="operations")
         if self.file.data is not None:
             try:
                 loaded(self.file)

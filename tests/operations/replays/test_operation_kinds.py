@@ -10,11 +10,11 @@ from built import box, context, design, on, scene, site
 from layoutkit.documents import read
 from layoutkit.model import Edit as EditStep
 from layoutkit.model import LearningSettings, Placement, Polygon, Scene
-from layoutkit.operations import Design, Site, Steps
+from layoutkit.operations import Asset, Design, Site, Steps
 from layoutkit_operations.checking import faults_of
 from layoutkit_operations.finishing.bodies import body_of
 from layoutkit_operations.finishing.dressing import Photos
-from layoutkit_operations.kinds import Array, Delete, Edit, Extrude, Place, Select, Vary
+from layoutkit_operations.kinds import Array, Delete, Edit, Extrude, Mesh, Place, Select, Vary
 
 FACADES = Path(__file__).parents[3] / "facades"
 
@@ -188,6 +188,10 @@ def test_an_edit_that_cannot_be_made_leaves_the_facade(stages, tmp_path):
         Place(inside=2),
         Array(label="A", gap_up=1),
         Array(label="A", each_width=-1),
+        Extrude(height=1e9),
+        Extrude(height=-1e160),
+        Extrude(height=1, base=1e9),
+        Mesh(file=Asset("chair.obj"), height=1e9),
     ],
 )
 def test_what_makes_no_sense_is_a_fault(operation):

@@ -8,9 +8,9 @@ from layoutkit.diagnostics import Faulty
 from layoutkit.documents import operations_bytes
 from layoutkit.documents.operations import read_operations
 from layoutkit.model import Placement, Polygon, Scene
-from layoutkit.operations import Branch
-from layoutkit_operations.kinds import Boolean, Extrude, Place, Select, Vary
-from layoutkit_operations.recording import Recorder
+from layoutkit.operations import Asset, Branch, Design, Steps
+from layoutkit_operations.kinds import Boolean, Edit, Extrude, Mesh, Place, Select, Vary
+from layoutkit_operations.recording import Recorder, asset, steps
 from layoutkit_operations.recording import design as read_design
 
 
@@ -125,3 +125,21 @@ def test_what_is_not_there_is_named(stages):
     assert Recorder(plots(16), sites="Plot", stages=stages).operations("s").sites == ("Plot",)
     assert isinstance(session.operations("s").roots[0].operation, Select)
     assert not context().told
+
+
+def test_files_that_were_not_read_are_refused(stages, tmp_path):
+    design(tmp_path)
+    (tmp_path / "cube.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
+    session = Recorder(plots(16), stages=stages)
+    for operation in (
+        Vary(facade=Design("wall.xml")),
+        Edit(session=Steps("edits.xml")),
+        Mesh(file=Asset("cube.obj")),
+    ):
+        with pytest.raises(Faulty, match="was not read"):
+            session.do(operation)
+    assert not session.operations("none").roots
+    session.select("Plot").do(Mesh(file=asset("cube.obj", tmp_path)))
+    assert len(session.world.bodies) == 1
+    with pytest.raises(Faulty):
+        steps("wall.xml", tmp_path)

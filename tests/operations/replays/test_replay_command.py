@@ -159,6 +159,29 @@ def test_remarks_that_are_alike_are_counted(files, layoutkit):
     assert f"and {len(others)} more of this kind, which the manifest lists" in run.err
 
 
+def test_a_selection_that_chooses_nothing_anywhere_is_told_once(files, layoutkit):
+    text = (files / "operations.xml").read_text()
+    end = "</operations>"
+    (files / "operations.xml").write_text(text.replace(end, f'<select labels="Tree"/>{end}'))
+    run = layoutkit(*arguments(files, "none", "--tile", "2", "--no-views"))
+    assert run.err.count("LK888") == 1
+    assert f"{files / 'operations.xml'}:" in run.err, "named as the user names it"
+    tree = '<polygon name="Tree_1" points="1,1 2,1 2,2" labels="Tree"/></scene>'
+    (files / "nine.xml").write_text((files / "nine.xml").read_text().replace("</scene>", tree))
+    run = layoutkit(*arguments(files, "one", "--tile", "2", "--no-views"))
+    assert "LK888" not in run.err
+
+
+def test_names_of_files_may_be_no_text(files):
+    own = files / os.fsdecode(b"o\xff.xml")
+    own.write_text((files / "operations.xml").read_text().replace('height="3.2"', 'height="2"'))
+    asked = ["replay", own, files / "nine.xml", "--no-views", "--seeds", "0-1", "-o", files / "out"]
+    run = subprocess.run([sys.executable, "-m", "layoutkit", *asked], capture_output=True)
+    assert (run.returncode, b"o\\udcff.xml:" in run.stderr) == (0, True)
+    entries = json.loads((files / "out" / "manifest.json").read_text())["entries"]
+    assert {d["place"]["file"] for entry in entries for d in entry["diagnostics"]} == {own.name}
+
+
 def test_what_cannot_be_replayed_is_told(files, layoutkit, tmp_path):
     run = layoutkit("replay", files / "nine.xml", files / "nine.xml", "-o", files / "out")
     assert (run.code, "LK101" in run.err) == (1, True)

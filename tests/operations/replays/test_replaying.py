@@ -13,7 +13,7 @@ from layoutkit.diagnostics import Faulty, Severity
 from layoutkit.model import Polygon, Scene
 from layoutkit.operations import Branch, Context, Node, Operation, Operations, Result, Site
 from layoutkit.operations.sites import sites_of
-from layoutkit_operations.kinds import Array, Delete, Extrude, Select
+from layoutkit_operations.kinds import Array, Boolean, Delete, Extrude, Select
 from layoutkit_operations.replaying import Replay, dealt_out
 
 PLOTS = [box(12 * n, 0, 10, 10) for n in range(9)]
@@ -90,6 +90,28 @@ def test_a_site_is_built_alike_whichever_others_there_are(stages):
     assert heights(replayed(stages, operations, some, 3)).items() <= heights(every).items()
 
 
+def test_what_has_no_labels_is_worked_on_as_well_and_sites_in_sites_are_not(stages):
+    inside = (Polygon("Shed", box(1, 1, 2, 2)), Polygon("Inner", box(5, 5, 4, 4), ("Plot",)))
+    every = Scene("built", "m", (Polygon("Outer", box(0, 0, 10, 10), ("Plot",)), *inside))
+    world = replayed(stages, tree(Node(Extrude(height=2)), sites=("Plot",)), every)
+    assert heights(world) == {"Outer": 2, "Shed": 2, "Inner": 2}
+
+
+def test_what_a_later_merge_takes_away_is_not_made(stages):
+    """A chimney inside of a tower that is merged with the house below it."""
+    chimney = Node(Array(label="Chimney", each_width=1, each_height=1, margin=2), (Node(Extrude(height=1)),))
+    house = Node(Extrude(height=4), (Node(Select(labels=("Top",)), (chimney,)),))
+    merged = Node(Boolean(action="union", with_="intersecting"))
+    roots = (
+        Node(Select(labels=("House",)), (house,)),
+        Node(Select(labels=("Tower",)), (Node(Extrude(height=20)),)),
+        Node(Select(labels=("Chimney", "Tower")), (merged,)),
+    )
+    labelled = (Polygon("H", box(2, 2, 6, 6), ("House",)), Polygon("T", box(0, 0, 10, 10), ("Tower",)))
+    world = replayed(stages, tree(*roots), Scene("built", "m", labelled))
+    assert heights(world) == {"T": 20}
+
+
 def test_sites_have_what_is_inside_them_and_see_inner_sites_as_obstacles():
     polygons = (
         Polygon("Outer", box(0, 0, 20, 20), ("Plot",)),
@@ -163,6 +185,8 @@ def test_sites_in_sites_are_built_once(stages):
 def test_labels_that_match_nothing_are_told(stages):
     wrong = tree(Node(Select(labels=("Plto",))))
     outcome = next(iter(stages("replay", scene(*PLOTS), operations=wrong)))
-    assert [(d.code, "'Plot'" in d.hint) for d in outcome.diagnostics] == [("LK883", True)]
+    assert [(d.code, "'Plot'" in d.hint) for d in outcome.diagnostics] == [("LK888", True)]
+    matched = tree(Node(Select(labels=("Plto", "Plot"))))
+    assert not next(iter(stages("replay", scene(*PLOTS), operations=matched))).diagnostics
     with pytest.raises(Faulty, match="@Parcel"):
         replayed(stages, tree(RANDOM, sites=("Parcel",)), scene(*PLOTS))

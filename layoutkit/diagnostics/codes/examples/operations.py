@@ -99,5 +99,10 @@ EXAMPLES = {
         _SIDES.format('<edit session="edits.xml"/>'),
         _SIDES.format('<vary facade="wall.xml"><edit session="edits.xml"/></vary>'),
     ),
+    "LK888": Example(
+        REPLAYED,
+        '<extrude height="3"><select labels="Tpo"/></extrude>',
+        '<extrude height="3"><select labels="Top"/></extrude>',
+    ),
     "LK887": Example(BUILD, _DRESSED.format("layout.xml"), _DRESSED.format("wall.xml")),
 }
