@@ -104,7 +104,7 @@ class Replayed:
 
     @property
     def faults(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with sites that are left out of the world."""
+        """What is wrong: with sites that are left out of the world, and with what is not shown."""
         return self._finished[1]
 
     @cached_property

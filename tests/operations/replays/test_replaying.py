@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import pytest
-from built import box, scene
+from built import box, open_edges, scene
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -110,6 +110,22 @@ def test_what_a_later_merge_takes_away_is_not_made(stages):
     labelled = (Polygon("H", box(2, 2, 6, 6), ("House",)), Polygon("T", box(0, 0, 10, 10), ("Tower",)))
     world = replayed(stages, tree(*roots), Scene("built", "m", labelled))
     assert heights(world) == {"T": 20}
+
+
+def test_what_cannot_be_let_into_a_mesh_is_left_off_it_and_told(stages):
+    """Windows on the sides of a sharp plan, whose roof was cut into slivers."""
+    plan = ((57.4604, -24.5336), (120.6043, -28.0671), (-85.3581, 26.4205), (-93.0775, 26.4096))
+    cut = (Node(Extrude(height=-1), (Node(Boolean(action="difference")),)),)
+    sizes = {"each_width": 8, "each_height": 8, "gap_across": 5, "gap_up": 5, "margin": 0.2}
+    boxes = Node(Array(label="Box", **sizes), cut)
+    panes = Node(Array(label="Window", **{**sizes, "each_width": 20, "each_height": 20, "gap_across": 10}))
+    inside = (Node(Select(labels=("Roof",)), (boxes,)), Node(Select(labels=("Side",)), (panes,)))
+    operations = tree(Node(Extrude(height=1.609, cap="hip", pitch=50.5), inside))
+    outcome = next(iter(stages("replay", Scene("sharp", "m", (Polygon("H", plan),)), operations=operations)))
+    (body,) = outcome.document.bodies
+    assert not open_edges(body.triangles)
+    assert not any(d.severity is Severity.ERROR for d in outcome.diagnostics)
+    assert bool(body.openings) != any("is not shown" in d.message for d in outcome.diagnostics)
 
 
 def test_sites_have_what_is_inside_them_and_see_inner_sites_as_obstacles():
