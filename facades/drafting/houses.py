@@ -86,7 +86,7 @@ def _planted(session: Recorder) -> None:
     for plot in plots:
         shown = Shown(plot, ((3.5, 26, 3, 3), (14.5, 23, 3, 3)), (house,))
         model = learned("trees", "Tree", (shown,), ROUGH)
-        session.select(*plot.labels).do(Place(model=model, limit=3, threshold=0.3, share=0.8))
+        session.select(*plot.labels).do(Place(model=model, limit=3, threshold=0.3, share=0.8, clear=True))
 
 
 def _grown(session: Recorder) -> None:

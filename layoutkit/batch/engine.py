@@ -117,18 +117,18 @@ def _earlier(journal: Journal, plan: Plan, folder: Path, afresh: bool) -> set[st
         If the folder has results of another plan (LK890).
     """
     header, records = journal.header(), list(journal.records())
-    if afresh:
-        _clear(journal, folder)
-    elif header.get("fingerprint") == plan.fingerprint:
+    if header.get("fingerprint") == plan.fingerprint and not afresh:
         _sweep(folder)
         done = (record for record in records if record.status == "done")
         return {record.key for record in done if all(file.stands(folder) for file in record.files)}
-    elif records:
+    if not afresh and any(record.status == "done" for record in records):
         command = header.get("command", "another program")
         what = "inputs, options or releases of libraries"
         message = f"the folder has results of another run: of `{command}`, with other {what}"
         hint = "name another folder with -o; or begin anew in this one with --afresh, which deletes them"
         raise Faulty([Diagnostic("LK890", message, Place(str(folder)), hint, topic="batch")])
+    if afresh or records:  # of what failed, nobody needs what there is
+        _clear(journal, folder)
     return None
 
 

@@ -283,7 +283,7 @@ class _Outcome:
         for kind, known in self.remarks.items():
             self._report(session, known)
             if more := self.more[kind]:
-                message = f"and {more:,} more of this kind, which the manifest lists"
+                message = f"and {more:,} more of this kind"
                 self._report(session, [replace(known[0], message=message, count=more)])
         self._report(session, [first for first, count in self.unanimous.values() if count == self.done])
         if more := self.more[_OTHERS]:

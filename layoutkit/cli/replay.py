@@ -43,7 +43,7 @@ Examples:
 
 - `layoutkit replay houses/operations.xml city.gpkg --part plots --workers 2 -o out`
 
-- `layoutkit replay flat/operations.xml flat/*.xml --seeds 0-9 --elevation 60 --format obj -o out`
+- `layoutkit replay flat/operations.xml flat/scene.xml --seeds 0-9 --elevation 60 --format obj -o out`
 """
 
 #: What is drawn of each model, unless something else is asked for.

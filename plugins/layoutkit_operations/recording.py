@@ -15,14 +15,16 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from layoutkit.constraints.attributes import Attribute
 from layoutkit.diagnostics import Diagnostic, Faulty
 from layoutkit.model import LearningSettings, Placement, PlacementModel, Scene, World
 from layoutkit.operations import Asset, Branch, Context, Design, Named, Node, Operation, Operations, Steps
 from layoutkit.operations.operation import Scope
 from layoutkit_operations.kinds.place import Place
 from layoutkit_operations.kinds.select import Select
+from layoutkit_operations.matching import misfits, unmatched
 from layoutkit_operations.replaying import Replay, Replayed, replayed
 from layoutkit_operations.standing import Standing
 
@@ -78,10 +80,14 @@ class Recorder:
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """What operations had to say, and what is wrong with what they came to."""
-        made = self._replayed()
-        return tuple(dict.fromkeys([*made.context.told, *made.faults]))
+        made, recorded = self._replayed(), self.operations(self._scene.name)
+        told = (*misfits(recorded, self._scene), *made.context.told, *made.faults, *unmatched(recorded, made))
+        return tuple(dict.fromkeys(told))
 
     def _added(self, drafts: list[_Draft], operation: Operation) -> Step:
+        if not isinstance(operation, Operation):
+            hint = "take one of layoutkit_operations.kinds"
+            raise Faulty([_nonsense(f"{operation!r} is no operation", hint)])
         if faults := tuple(_misfits(operation)) or tuple(operation.faults()):
             raise Faulty(faults)
         draft = _Draft(operation)
@@ -320,10 +326,18 @@ def _misfits(operation: Operation) -> Iterator[Diagnostic]:
             fits = False
         if not fits:
             message = f"<{operation.kind}>: {attribute.name} is {value!r}, and no {attribute.type.name}"
-            yield _nonsense(message, attribute.help)
+            yield _nonsense(message, _meant(value, attribute))
         elif isinstance(value, Named) and not value.read:
             hint = "read it first: by design, steps or asset of layoutkit_operations.recording"
             yield _nonsense(f"<{operation.kind}>: {attribute.name} names {value}, which was not read", hint)
+
+
+def _meant(value: Any, attribute: Attribute) -> str:
+    """Return what to write: where a value stands as in documents, what Python has for it."""
+    try:
+        return f"write {attribute.type.parse(value)!r}"
+    except (ValueError, TypeError, AttributeError):
+        return attribute.help
 
 
 def _nonsense(message: str, hint: str) -> Diagnostic:

@@ -189,6 +189,13 @@ def test_other_releases_of_libraries_make_another_run(
     assert code_of(faulty) == "LK890"
 
 
+def test_a_run_that_failed_stands_in_nobodys_way(squares: Squares, tmp_path: Path, same: Same) -> None:
+    carry_out(squares(1, {0: batch_work.faulty}), tmp_path / "one", InProcess())
+    carry_out(squares(3), tmp_path / "one", InProcess())
+    carry_out(squares(3), tmp_path / "two", InProcess())
+    same(tmp_path / "one", tmp_path / "two")
+
+
 def test_a_run_that_did_nothing_stands_in_nobodys_way(squares: Squares, tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         carry_out(squares(3), tmp_path, Counting(0))

@@ -73,7 +73,7 @@ class Extrude(Operation):
         if self.base and self.height < 0:
             yield self._fault("what goes into its surface has no base above it", "leave base away")
         if not 0 < self.pitch < 85:
-            yield self._fault(f"pitch is {self.pitch:g}", "choose between 0 and 85 degrees")
+            yield self._fault(f"pitch is {self.pitch:g}", "choose above 0 and below 85 degrees")
 
     def apply(self, scope: Scope, site: Site, context: Context) -> Result:
         """Return the site with a solid for each element that was flat, and these elements."""

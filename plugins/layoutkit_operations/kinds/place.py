@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from layoutkit.constraints.attributes import attribute
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
-from layoutkit.documents.grammar import AMOUNT, SIZE, WHOLE
+from layoutkit.documents.grammar import AMOUNT, ANSWER, SIZE, WHOLE
 from layoutkit.model import Placement, PlacementModel, Scene, Spacing
 from layoutkit.model.face import Point
-from layoutkit.model.outline import inside
+from layoutkit.model.outline import area, inside
 from layoutkit.operations import Context, Element, Operation, Result, Site
 from layoutkit.operations.attributes import held
 from layoutkit.operations.context import named
@@ -44,6 +44,9 @@ class Place(Operation):
         AMOUNT,
         "The least share of its area by which each has to lie inside what it is placed in: 1 for all of it.",
         0.0,
+    )
+    clear: bool = attribute(
+        ANSWER, "Whether none may lie over what stands there already, or is placed there.", False
     )
     each_width: float | None = attribute(
         SIZE, "Fill placements along their width with shapes of this width.", None
@@ -86,7 +89,9 @@ class Place(Operation):
         for (name, surface), scene in scenes.items():
             if name not in names:
                 names[name] = site.free_names(name, label or "Placed")
-            placed = self._placed(scene, _outlines(name, surface, site), name, context)
+            outlines = _outlines(name, surface, site)
+            taken = _standing(scene, name, outlines, site) if self.clear else ()
+            placed = self._placed(scene, outlines, taken, name, context)
             for shape in self._kept(placed, context.random(named(f"{name} {surface}"))):
                 labels = (label,) if label else ()
                 own = Element(next(names[name]), labels, surface, shape.points, shape.angle, parent=name)
@@ -102,10 +107,12 @@ class Place(Operation):
         """Whether what is placed in an element is related only to what is inside it."""
         return self.model is None or self.model.settings.hierarchy
 
-    def _placed(self, scene: Scene, outlines: Outlines, name: str, context: Context) -> tuple[Placement, ...]:
-        """Return what is placed in a scene within outlines, the best first."""
+    def _placed(
+        self, scene: Scene, outlines: Outlines, taken: Outlines, name: str, context: Context
+    ) -> tuple[Placement, ...]:
+        """Return what is placed in a scene within outlines and beside what is taken, the best first."""
         apart = replace(context, told={})
-        chosen = self.inside > 0 or not self._apart
+        chosen = self.clear or self.inside > 0 or not self._apart
         outcome = apart.run(
             "place",
             scene,
@@ -120,9 +127,10 @@ class Place(Operation):
             return ()
         if not chosen:
             return outcome.document.placements
-        found = self._within(outcome.document.placements, outlines)
+        found = self._within(outcome.document.placements, outlines, taken)
         if outcome.document.placements and not found:
-            message = f"{name}: none of {len(outcome.document.placements)} places for {self._label} is inside"
+            what = "inside, and clear of others" if self.clear else "inside"
+            message = f"{name}: none of {len(outcome.document.placements)} places for {self._label} is {what}"
             hint = "lower inside, or show smaller examples"
             context.report(Diagnostic("LK875", message, self.place, hint, Severity.WARNING, "operations"))
         try:
@@ -135,18 +143,19 @@ class Place(Operation):
     @property
     def _asked(self) -> PlacementModel | None:
         """The model; where places are looked through afterwards, with all that overlap each other."""
-        if self.model is None or not self.inside:
+        if self.model is None or not (self.inside or self.clear):
             return self.model
         return replace(self.model, settings=replace(self.model.settings, overlapping=True))
 
-    def _within(self, placed: Sequence[Placement], outlines: Outlines) -> tuple[Placement, ...]:
-        """Return the best placements that lie far enough inside outlines, apart from each other."""
+    def _within(
+        self, placed: Sequence[Placement], outlines: Outlines, others: Outlines
+    ) -> tuple[Placement, ...]:
+        """Return the best placements far enough inside outlines, apart from others and from each other."""
         import shapely
 
-        overlapping = self.model is not None and self.model.settings.overlapping
-        own = shapely.union_all(shapely.make_valid([shapely.Polygon(outline) for outline in outlines]))
+        overlapping = not self.clear and self.model is not None and self.model.settings.overlapping
+        own, taken = _joined(outlines), _joined(others)
         kept: list[Placement] = []
-        taken = shapely.Polygon()
         for shape in placed:
             box = shapely.Polygon(shape.points)
             near = _NEAR * box.area
@@ -170,6 +179,21 @@ class Place(Operation):
 
     def _fault(self, message: str, hint: str) -> Diagnostic:
         return Diagnostic("LK882", f"<place>: {message}", self.place, hint, Severity.ERROR, "operations")
+
+
+def _standing(scene: Scene, name: str, outlines: Outlines, site: Site) -> Outlines:
+    """Return the outlines of elements that stand in what is placed in, which are smaller than that is."""
+    whole = sum(map(area, outlines))
+    own = (p for p in scene.polygons if p.name != name and p.name in site.elements)
+    return tuple(p.points for p in own if abs(area(p.points)) < whole)
+
+
+def _joined(outlines: Outlines) -> Any:
+    """Return all that outlines cover, as shapely has it."""
+    import shapely
+
+    # shapely ships no types
+    return shapely.union_all(shapely.make_valid([shapely.Polygon(outline) for outline in outlines]))
 
 
 def _outlines(name: str, surface: str, site: Site) -> Outlines:

@@ -75,7 +75,8 @@ class Vary(Operation):
         told = " nor ".join(str(design) for design in designs)
         message = f"no layout of {told} was found for {surface.name}, {box.width:.2f} by {box.height:.2f}"
         hint = (
-            f"`layoutkit explain {designs[-1]} --width {box.width:.2f} --height {box.height:.2f}` tells why"
+            f"beside the operations, `layoutkit explain {designs[-1]} --width {box.width:.2f} "
+            f"--height {box.height:.2f}` tells why"
         )
         self._remark(context, f"{message}, which stays bare", hint)
         return None

@@ -139,7 +139,7 @@ def _nothing(
         message += f": the best has a score of {best:.2f}, and {options.threshold:g} is the threshold"
         hint = "lower the threshold, raise the tolerance"
         if options.model is not None and options.model.settings.hierarchy:
-            hint += ", or learn without hierarchy (--no-hierarchy), so that all that is near counts"
+            hint += ", or learn without hierarchy (--no-hierarchy, or hierarchy=\"no\" in the model)"
     return _warning("LK875", message, hint)
 
 

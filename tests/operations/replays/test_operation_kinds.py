@@ -125,6 +125,22 @@ def test_what_has_to_be_inside_is_put_where_it_is_even_if_another_place_is_bette
     assert all(ground.buffer(1e-3).covers(shapely.Polygon(held.elements[name].points)) for name in output)
 
 
+def test_what_is_placed_clear_lies_over_nothing(stages):
+    rough = LearningSettings(relationships=("normalised-bounding-box-coordinates",))
+    alone = learned(stages, settings=rough, A=[Placement(3, 3, 2, 2)])
+    stone = Polygon("Stone", box(2.5, 2.5, 2, 2), ("Stone",))
+    own = Site.of(Scene("s", "m", (*scene(box(0, 0, 20, 16)).polygons, stone)))
+    over = {}
+    for clear in (False, True):
+        place = Place(model=alone, clear=clear, threshold=0.1)
+        after, names = place.apply(("A",), own, context(stages))
+        assert names
+        shapes = [shapely.Polygon(after.elements[name].points) for name in names]
+        over[clear] = sum(shape.intersection(shapely.Polygon(stone.points)).area for shape in shapes)
+    assert over[False] > 0.1
+    assert over[True] == pytest.approx(0, abs=1e-5)
+
+
 def test_a_share_of_what_is_placed_is_kept(stages):
     model = learned(stages, one=[Placement(5, 4, 4, 3)])
     outlines = [box(40 * n, 0, 20, 16) for n in range(12)]

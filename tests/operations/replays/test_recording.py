@@ -143,3 +143,14 @@ def test_files_that_were_not_read_are_refused(stages, tmp_path):
     assert len(session.world.bodies) == 1
     with pytest.raises(Faulty):
         steps("wall.xml", tmp_path)
+
+
+def test_slips_are_told_as_a_replay_tells_them(stages):
+    session = Recorder(plots(16), stages=stages)
+    assert session.select("Plott").do(Extrude(height=3)).output == ()
+    assert [(d.code, "'Plot'" in d.hint) for d in session.diagnostics] == [("LK888", True)]
+    assert [d.code for d in Recorder(plots(16), sites=("Plott",), stages=stages).diagnostics] == ["LK881"]
+    with pytest.raises(Faulty, match="is no operation"):
+        session.do("extrude")
+    with pytest.raises(Faulty, match=r"write \(138, 106, 72\)"):
+        session.do(Extrude(height=1, colour="#8a6a48"))
