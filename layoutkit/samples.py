@@ -63,12 +63,15 @@ class PipelineSample:
         An operations document; the facades that it names lie beside it.
     scenes
         Scene documents to replay it on, the first one first.
+    options
+        Of `layoutkit replay`, by which pictures show most.
     """
 
     name: str
     description: str
     operations: Path
     scenes: tuple[Path, ...]
+    options: str = ""
 
 
 def list_samples() -> tuple[Sample, ...]:
@@ -98,6 +101,7 @@ def list_pipelines() -> tuple[PipelineSample, ...]:
             s["description"],
             folder / s["operations"],
             tuple(folder / file for file in s["scenes"]),
+            s.get("options", ""),
         )
         for s in _index(folder)["pipeline"]
     )

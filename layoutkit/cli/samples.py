@@ -113,7 +113,10 @@ def _copy_pipeline(
     scenes = [scene.relative_to(source).as_posix() for scene in sample.scenes]
     _copy(session, source, folder, [*named, *scenes])
     written = folder / sample.operations.name
-    return written, [(written, f"layoutkit replay {written} {folder / name} -o out") for name in scenes]
+    options = f" {sample.options}" if sample.options else ""
+    return written, [
+        (written, f"layoutkit replay {written} {folder / name}{options} -o out") for name in scenes
+    ]
 
 
 def _copy(session: Session, source: Path, folder: Path, files: Sequence[str]) -> None:

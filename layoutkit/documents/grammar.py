@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import string
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -62,26 +63,38 @@ _is_key = _spelled(_KEY_PATTERN)
 _is_position, _is_path = _spelled(_POSITION_PATTERN), _spelled(f"{_STEP}(/{_STEP})*")
 
 
+#: What units are written with.
+_LETTERS = string.ascii_letters
+
+
 @_remembered
 def _size(text: str) -> float:
     value = float(text) if _is_positive(text) else math.nan
     if not 0 < value < math.inf:
-        raise ValueError(f"{text!r} is not a finite number greater than 0")
+        raise _no_number(text, "a finite number greater than 0")
     return value
 
 
 def _amount(text: str) -> float:
     value = float(text) if _is_pixel(text) else math.nan
     if not math.isfinite(value):
-        raise ValueError(f"{text!r} is not a finite number of at least 0")
+        raise _no_number(text, "a finite number of at least 0")
     return value
 
 
 def _number(text: str) -> float:
     value = float(text) if _is_number(text) else math.nan
     if not math.isfinite(value):
-        raise ValueError(f"{text!r} is not a finite number")
+        raise _no_number(text, "a finite number")
     return value
+
+
+def _no_number(text: str, wanted: str) -> ValueError:
+    """Say what a number should be; where all that is wrong is a unit, that."""
+    alone = text.strip().rstrip(_LETTERS).strip()
+    if alone != text.strip() and _is_number(alone):
+        return ValueError(f"{text!r} has a unit: write {alone} in the units of the document")
+    return ValueError(f"{text!r} is not {wanted}")
 
 
 def _outline(text: str) -> tuple[Point, ...]:
@@ -119,6 +132,8 @@ def _symbol(text: str) -> str:
 
 @_remembered
 def _labels(text: str) -> tuple[str, ...]:
+    if "," in text:
+        raise ValueError(f"{text!r} has commas: labels are separated by blanks")
     return tuple(_symbol(part) for part in _BLANKS.split(text) if part)
 
 
