@@ -295,6 +295,21 @@ def test_faults_of_a_named_file_stand_at_their_places_and_at_each_element_that_n
 
 
 @pytest.mark.parametrize(
+    ("attributes", "message"),
+    [
+        ("amount='6m'", "'6m' has a unit: write 6 in the units of the document"),
+        ("amount='1.5 cm'", "'1.5 cm' has a unit: write 1.5 in the units of the document"),
+        ("amount='six'", "'six' is not a finite number greater than 0"),
+        ("amount='1' random='2m'", "'2m' has a unit: write 2 in the units of the document"),
+        ("amount='1' labels='Plot,Street'", "'Plot,Street' has commas: labels are separated by blanks"),
+    ],
+)
+def test_usual_slips_in_values_are_named(attributes: str, message: str) -> None:
+    with pytest.raises(Faulty, match=message):
+        sent(document(f"<grow {attributes}/>"))
+
+
+@pytest.mark.parametrize(
     ("inside", "hint"),
     [
         ("<gorw amount='2'/>", "did you mean 'grow'?"),
@@ -318,21 +333,6 @@ def test_faults_of_a_named_file_stand_at_their_places_and_at_each_element_that_n
         ("<grow amount='1' facade='walls/wal.xml'/>", "did you mean 'walls/wall.xml'?"),
     ],
 )
-@pytest.mark.parametrize(
-    ("attributes", "message"),
-    [
-        ("amount='6m'", "'6m' has a unit: write 6 in the units of the document"),
-        ("amount='1.5 cm'", "'1.5 cm' has a unit: write 1.5 in the units of the document"),
-        ("amount='six'", "'six' is not a finite number greater than 0"),
-        ("amount='1' random='2m'", "'2m' has a unit: write 2 in the units of the document"),
-        ("amount='1' labels='Plot,Street'", "'Plot,Street' has commas: labels are separated by blanks"),
-    ],
-)
-def test_usual_slips_in_values_are_named(attributes: str, message: str) -> None:
-    with pytest.raises(Faulty, match=message):
-        sent(document(f"<grow {attributes}/>"))
-
-
 @pytest.mark.parametrize("way", ["folder", "sent"])
 def test_hints_say_what_to_do(inside: str, hint: str, way: str, folder: Path) -> None:
     path = folder / "o.xml"
