@@ -12,6 +12,7 @@ from layoutkit.documents.grammar import AMOUNT, NAME, SIZE
 from layoutkit.model import Polygon, Spacing
 from layoutkit.operations import Context, Element, Operation, Result, Site
 from layoutkit.operations.operation import Scope
+from layoutkit_operations.outlines import joined, lies_inside, outlines_of
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,10 +32,21 @@ class Array(Operation):
     gap_up: float = attribute(AMOUNT, "The least gap between them upwards.", 0.0)
     margin: float = attribute(AMOUNT, "How far from the box's sides they keep.", 0.0)
 
+    inside: float = attribute(
+        AMOUNT,
+        "The least share of its area by which each has to lie inside what is filled: 1 for all of it. Others "
+        "are left out.",
+        0.0,
+    )
+
     def faults(self) -> Iterator[Diagnostic]:
-        """Yield what makes no sense of sizes and gaps."""
+        """Yield what makes no sense of sizes, gaps and shares."""
         from layoutkit.scenes.spacing import check
 
+        if self.inside > 1:
+            message = f"<array>: inside is {self.inside:g}"
+            hint = "choose a share of at most 1"
+            yield Diagnostic("LK882", message, self.place, hint, topic="operations")
         try:
             check(self._spacing)
         except Faulty as faulty:
@@ -59,6 +71,9 @@ class Array(Operation):
                 except Faulty as faulty:
                     context.report(*(self._remark(name, d.message, d.hint) for d in faulty.diagnostics))
                     continue
+                if self.inside:
+                    whole = joined(outlines_of(name, surface, site))
+                    shapes = tuple(s for s in shapes if lies_inside(s.points, whole, self.inside))
                 names = site.free_names(name, self.label)
                 made += (
                     Element(next(names), (self.label,), surface, shape.points, shape.angle, parent=name)

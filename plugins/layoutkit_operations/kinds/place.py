@@ -4,27 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from layoutkit.constraints.attributes import attribute
 from layoutkit.diagnostics import Diagnostic, Faulty, Severity
 from layoutkit.documents.grammar import AMOUNT, ANSWER, SIZE, WHOLE
 from layoutkit.model import Placement, PlacementModel, Scene, Spacing
-from layoutkit.model.face import Point
 from layoutkit.model.outline import area, inside
 from layoutkit.operations import Context, Element, Operation, Result, Site
 from layoutkit.operations.attributes import held
 from layoutkit.operations.context import named
 from layoutkit.operations.operation import Scope
 from layoutkit.scenes.spacing import check, fill
+from layoutkit_operations.outlines import NEAR, Outlines, joined, lies_inside, outlines_of
 
 if TYPE_CHECKING:
     from numpy.random import Generator
-
-#: What shapes are placed within.
-Outlines = tuple[tuple[Point, ...], ...]
-#: Shares of an area below this are rounding.
-_NEAR = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,7 +84,7 @@ class Place(Operation):
         for (name, surface), scene in scenes.items():
             if name not in names:
                 names[name] = site.free_names(name, label or "Placed")
-            outlines = _outlines(name, surface, site)
+            outlines = outlines_of(name, surface, site)
             taken = _standing(scene, name, outlines, site) if self.clear else ()
             placed = self._placed(scene, outlines, taken, name, context)
             for shape in self._kept(placed, context.random(named(f"{name} {surface}"))):
@@ -154,12 +149,12 @@ class Place(Operation):
         import shapely
 
         overlapping = not self.clear and self.model is not None and self.model.settings.overlapping
-        own, taken = _joined(outlines), _joined(others)
+        own, taken = joined(outlines), joined(others)
         kept: list[Placement] = []
         for shape in placed:
             box = shapely.Polygon(shape.points)
-            near = _NEAR * box.area
-            within = shapely.intersection(box, own).area >= self.inside * box.area - near
+            near = NEAR * box.area
+            within = lies_inside(shape.points, own, self.inside)
             centred = any(inside((shape.x, shape.y), outline) for outline in outlines)
             if within and centred and shapely.intersection(taken, box).area <= near:
                 kept.append(shape)
@@ -186,19 +181,3 @@ def _standing(scene: Scene, name: str, outlines: Outlines, site: Site) -> Outlin
     whole = sum(map(area, outlines))
     own = (p for p in scene.polygons if p.name != name and p.name in site.elements)
     return tuple(p.points for p in own if abs(area(p.points)) < whole)
-
-
-def _joined(outlines: Outlines) -> Any:
-    """Return all that outlines cover, as shapely has it."""
-    import shapely
-
-    # shapely ships no types
-    return shapely.union_all(shapely.make_valid([shapely.Polygon(outline) for outline in outlines]))
-
-
-def _outlines(name: str, surface: str, site: Site) -> Outlines:
-    """Return the outline of a flat element, or those of a surface."""
-    element = site.elements.get(name)
-    if element is not None and not element.solid:
-        return (element.points,)
-    return site.surfaces[surface].outlines

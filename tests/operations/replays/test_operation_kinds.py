@@ -83,6 +83,18 @@ def test_arrays_fill_from_end_to_end_with_as_many_as_have_room():
     assert {own.elements[name].parent for name in output} == {"A"}
 
 
+def test_arrays_leave_out_what_is_not_inside():
+    corner = ((0, 0), (10, 0), (10, 4), (4, 4), (4, 10), (0, 10))
+    own = site(corner)
+    for inside, count in ((0.0, 25), (0.5, 16), (1.0, 16)):
+        array = Array(label="Slab", each_width=2, each_height=2, inside=inside)
+        after, names = array.apply(("A",), own, context())
+        assert len(names) == count
+        whole = shapely.Polygon(corner)
+        if inside:
+            assert all(whole.covers(shapely.Polygon(after.elements[n].points).buffer(-1e-6)) for n in names)
+
+
 def test_arrays_keep_a_margin_and_follow_the_box():
     turned = Scene("s", "m", (Polygon("A", ((0, 0), (8, 6), (5, 10), (-3, 4)), ("Plot",), angle=36.87),))
     array = Array(label="Bed", each_width=1, margin=0.5, gap_across=0.5)
@@ -204,6 +216,7 @@ def test_an_edit_that_cannot_be_made_leaves_the_facade(stages, tmp_path):
         Place(inside=2),
         Array(label="A", gap_up=1),
         Array(label="A", each_width=-1),
+        Array(label="A", inside=1.5),
         Extrude(height=1e9),
         Extrude(height=-1e160),
         Extrude(height=1, base=1e9),
