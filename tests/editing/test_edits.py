@@ -8,7 +8,7 @@ from edit_checks import Tally, check_edits
 from editing.random_facades import random_state
 
 #: How many random trees the nightly test goes through; the usual one takes a part of them.
-TREES, PART = 10_000, 60
+TREES, PART = 10_000, 40
 
 
 def _checked(seeds: range) -> Tally:

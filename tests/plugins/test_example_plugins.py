@@ -24,13 +24,8 @@ def test_there_is_one_example_a_way_to_state_a_constraint() -> None:
     assert list(KINDS) == NAMES
 
 
-#: The tests of these take long: conformance asks a solver for each row.
-SLOW = {"even_spacings", "shop_doors"}
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=[pytest.mark.nightly] if n in SLOW else []) for n in NAMES]
-)
+@pytest.mark.nightly  # conformance asks a solver for each row
+@pytest.mark.parametrize("name", NAMES)
 def test_their_own_tests_pass(name: str, site: Path, tmp_path: Path) -> None:
     shutil.copytree(EXAMPLES / name / "tests", tmp_path / "tests")
     shutil.copy(EXAMPLES / name / "pyproject.toml", tmp_path)
